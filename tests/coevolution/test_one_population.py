@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -161,13 +162,13 @@ def test_what_has_no_meaning_is_refused_by_name(tmp_path):
     both = co.evolve(race(meeting, HALL, learner="ga"), tmp_path / "both").payoff()
     one = co.evolve(race(ladder, HALL, learner="ga"), tmp_path / "one").payoff()
     for name in ("game_value", "pursuer_rating", "squared_intransitivity", "one_sidedness"):
-        with pytest.raises(ValueError, match=f"^{name}: expected a game of constant sums"):
+        with pytest.raises(ValueError, match=f"^{name}: expected a game in which one team wins"):
             analysis.MEASURES[name].of(both)
         assert name not in analysis.measure_all(both)
     for name in ("evader_gain", "one_sidedness"):
         with pytest.raises(ValueError, match=f"^{name}: expected a game of two teams"):
             analysis.MEASURES[name].of(one)
-    with pytest.raises(ValueError, match="^joint_change: expected a game of scores of both teams"):
+    with pytest.raises(ValueError, match="^joint_change: expected the scores of both teams"):
         analysis.MEASURES["joint_change"].of(one)
 
 
@@ -315,3 +316,37 @@ def test_texts_are_shown_where_a_game_shows_nothing_else():
     scores = dilemma("DDDDD", "CCCCC", np.random.default_rng(0))
     assert scores[0] > 0.75 > 0.25 > scores[1]
     assert json.loads(json.dumps(scores)) == list(scores)
+
+
+def test_all_that_is_told_of_a_race_of_one_population_was_played(tmp_path):
+    def play(a, b, rng):
+        return larger(a, b, rng), {"moves": np.full(len(a), 10.0)}
+
+    told = mw.Game(play, 4, ("climbers",), deterministic=True, symmetric=True, extras=("moves",))
+    members = told.population("pursuer", np.random.default_rng(0).random((4, 4), np.float32))
+    payoff = co.tournament(told, members, members, seed=0, episodes=1)
+    np.testing.assert_array_equal(payoff.extras["moves"], 10.0)
+    [alone] = [replace(members, genomes=members.genomes[:1])]
+    assert co.tournament(ladder, alone, alone, seed=0, episodes=1).matrix.tolist() == [[0.5]]
+    run = co.evolve(race(ladder, HALL, learner="ga"), tmp_path / "run")
+    assert run.summary()["evaluation_matches"] == 10  # of five generations
+    # The log has the matches with the hall of fame: among contemporaries the mean is 1/2.
+    assert run.log()["score"][-1] > 0.55
+    judged = analysis.judge(analysis.read_payoffs(run.path / "payoff.npz"))
+    assert judged.teams == ("climbers", "climbers")
+
+
+def test_a_team_alone_has_its_own_score(tmp_path):
+    rivals = co.evolve(race(meeting, HALL, learner="ga"), tmp_path / "race")
+    alone = co.RaceSettings.of(
+        {"game": meeting, "schedule": "against", "schedule.team": "evader", "schedule.epochs": 4},
+        {"schedule.opponent": str(rivals.path), "schedule.archive_every": 2, "learner": "ga"},
+    )
+    run = co.evolve(alone, tmp_path / "alone")
+    summary = run.summary()
+    assert summary["other_score"] == pytest.approx(0.5 * summary["score"])
+    told = matrixworld_command("evolve", "--resume", run.path).stdout
+    assert f"{summary['other_score']:.3f}" in told
+    assert str(run.explain("hosts")).startswith("Hosts of generation 2: ")
+    with pytest.raises(ValueError, match="generation: expected a generation whose matches the run"):
+        run.explain("hosts", 0)

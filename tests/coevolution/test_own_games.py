@@ -265,7 +265,7 @@ def test_a_run_of_a_game_is_no_chase(tmp_path):
     expected = 1 - run.payoff().matrix[:, 1]
     np.testing.assert_allclose(told.scores, expected)
     assert str(told).splitlines()[1] == (
-        f"Score against all 5 generations of cats: {expected.mean():.3f}"
+        f"Mean score against cats, 5 of them: {expected.mean():.3f}"
     )
     assert json.loads(json.dumps(told.to_json()))["generation"] == 1
     with pytest.raises(ValueError, match="^.*: holds a run with other settings: game"):

@@ -276,9 +276,11 @@ def _joint(estimates: Estimates, *, sign: float) -> Finding:
     if low > LEAST_GAIN:
         if change.note.why is Why.NOT_SUSTAINED:
             return Finding(CANNOT_TELL, Reason(Why.JOINT_JUMP))
-        return Finding(PRESENT, Reason(Why.JOINT_CHANGE, LEAST_GAIN))
+        changed = Why.JOINT_RISE if sign > 0.0 else Why.JOINT_FALL
+        return Finding(PRESENT, Reason(changed, LEAST_GAIN))
     if high < LEAST_GAIN:
-        return Finding(ABSENT, Reason(Why.NO_JOINT_CHANGE, LEAST_GAIN))
+        did_not = Why.NO_JOINT_RISE if sign > 0.0 else Why.NO_JOINT_FALL
+        return Finding(ABSENT, Reason(did_not, LEAST_GAIN))
     return Finding(CANNOT_TELL, Reason(Why.MARGIN_INSIDE))
 
 

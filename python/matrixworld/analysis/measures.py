@@ -62,10 +62,7 @@ class Measure:
         payoffs = read_payoffs(source)
         intervals.check_level(level)
         if not self.has_meaning(payoffs):
-            expected = "two teams" if payoffs.one_population and not self.alone else "constant sums"
-            if payoffs.general is False and not self.constant:
-                expected = "scores of both teams"
-            raise ValueError(f"{self.name}: expected a game of {expected}, got another one")
+            raise ValueError(f"{self.name}: {self._refusal(payoffs)}")
         if window is None:
             part = self.window_in(payoffs)
         else:
@@ -79,6 +76,14 @@ class Measure:
         """Return whether the number has a meaning for games of this kind."""
         of_kind = self.general if payoffs.general else self.constant
         return of_kind and (self.alone or not payoffs.one_population)
+
+    def _refusal(self, payoffs: Payoffs) -> str:
+        """Return why the number has no meaning for games of this kind."""
+        if payoffs.one_population and not self.alone:
+            return "expected a game of two teams, got one of one population"
+        if payoffs.general:
+            return "expected a game in which one team wins what the other loses, got another one"
+        return "expected the scores of both teams, got those of the first one"
 
     def window_in(self, payoffs: Payoffs) -> Window:
         """Return the window in which tables show the number; of short races the whole."""

@@ -37,6 +37,8 @@ PER_EPISODE = "scores"
 """Name of the array of an .npz file that holds all episodes, as in run directories."""
 OTHERS = "others"
 """Name of the array with all episodes of the second team in a general-sum game."""
+TEAMS = "teams"
+"""Name of the array with what the teams are called, in files of other games than pursuit."""
 MEANS = ("mean", "capture_rate", "payoff", "payoffs")
 """Names of arrays that hold payoff matrices; the first one in a file is taken."""
 
@@ -372,25 +374,28 @@ def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
         raise ValueError(f"{paths[0]}: expected scores of both teams in all files or in none")
     joined = np.concatenate(scores) if scores else None
     of_second = np.concatenate(others) if others else None
-    return Payoffs(matrices, joined, runs[0].episodes, others=of_second)
+    teams = runs[0].teams
+    return Payoffs(matrices, joined, runs[0].episodes, teams, others=of_second)
 
 
 def _read_file(path: Path, per_episode: bool) -> Payoffs:
     suffix = path.suffix.lower()
     others = None
+    teams = BOTH
     if suffix == ".csv":
         values, has_episodes = _read_table(path)
     elif suffix == ".npz":
-        values, has_episodes, others = _read_arrays(path)
+        values, has_episodes, others, teams = _read_arrays(path)
     else:
         raise ValueError(f"{path}: expected a .csv or an .npz file, got suffix {path.suffix!r}")
     try:
-        return _payoffs(values, per_episode or has_episodes, others)
+        payoffs = _payoffs(values, per_episode or has_episodes, others)
     except (TypeError, ValueError) as error:
         raise type(error)(f"{path}: {error}") from error
+    return payoffs if teams == BOTH else replace(payoffs, teams=teams)
 
 
-def _read_arrays(path: Path) -> tuple[NDArray[Any], bool, NDArray[Any] | None]:
+def _read_arrays(path: Path) -> tuple[NDArray[Any], bool, NDArray[Any] | None, tuple[str, str]]:
     arrays = load_arrays(path)
     # Episodes first: the means follow from them.
     preferred = (PER_EPISODE, *MEANS)
@@ -402,8 +407,12 @@ def _read_arrays(path: Path) -> tuple[NDArray[Any], bool, NDArray[Any] | None]:
                 f"{path}: expected one array, or one named {names}; got {list(arrays)}"
             )
         [name] = arrays
-    has_episodes = name == PER_EPISODE
-    return arrays[name], has_episodes, arrays.get(OTHERS) if has_episodes else None
+    if name != PER_EPISODE:
+        return arrays[name], False, None, BOTH
+    called = arrays.get(TEAMS, np.array(BOTH))
+    require(called.shape == (2,) and called.dtype.kind == "U", f"two names as {TEAMS}", called)
+    first, second = called.tolist()
+    return arrays[name], True, arrays.get(OTHERS), (first, second)
 
 
 def _payoffs(values: Any, per_episode: bool, others: Any = None) -> Payoffs:

@@ -81,8 +81,10 @@ class Why(Enum):
     RISES = "{teams} rise by more than a random walk with such steps would"
 
     # The mean of both sides:
-    JOINT_CHANGE = "the mean of both sides changed by more than {number} against contemporaries"
-    NO_JOINT_CHANGE = "the mean of both sides did not change so by {number}"
+    JOINT_RISE = "the mean of both sides rose by more than {number} against contemporaries"
+    JOINT_FALL = "the mean of both sides fell by more than {number} against contemporaries"
+    NO_JOINT_RISE = "the mean of both sides did not rise by {number} against contemporaries"
+    NO_JOINT_FALL = "the mean of both sides did not fall by {number} against contemporaries"
     JOINT_JUMP = "the mean of both sides changed, but mostly in a jump or with a setback"
 
     # A condition has no meaning:
@@ -102,7 +104,9 @@ class Why(Enum):
     RETURN = "strategies of {teams} return"
     NO_RETURN = "no strategies return"
     RETURN_IN_ORDER = "strategies return, but an order of strength may explain them"
-    NO_INTERACTION = "what the strengths of both do not explain is below {number}"
+    NO_INTERACTION = (
+        "scores differ by less than {number} from what the strengths of both sides explain"
+    )
     NO_CIRCLE = "generations do not beat each other in a circle"
 
     # Forgetting:
@@ -121,16 +125,22 @@ class Why(Enum):
 
 
 OF_ONE_POPULATION: dict[Why, str] = {
-    Why.RANDOM_WALK: "a random walk may explain its gain",
-    Why.CIRCLE: "it loses again what it gains, as in a circle, whose end is not seen",
-    Why.NONE_WITH_TREND: "it has no trend",
-    Why.NOT_STRONGER: "it did not become {number} stronger this time",
-    Why.STRONGER_IN_A_JUMP: "it became stronger, but mostly in a jump or with a setback",
-    Why.FORGETS: "it falls more than {number} below its best ancestors",
-    Why.NOT_FORGETS: "it does not fall {number} below its best ancestors",
-    Why.NO_CHANGE: "its strength does not change by {number}, nor who beats whom",
-    Why.CHANGES: "its strength changes by {number} or more",
-    Why.MAY_BE_INTRANSITIVE: "it does not become stronger, but the race may be intransitive",
+    Why.TOO_SHORT: f"it takes at least {GENERATIONS_TO_JUDGE} generations",
+    Why.ONE_GENERATION: "it takes at least 2 generations",
+    Why.RANDOM_WALK: "a random walk may explain the gain of the population",
+    Why.CIRCLE: "the population loses again what it gains, as in a circle, whose end is not seen",
+    Why.NONE_WITH_TREND: "the population has no trend",
+    Why.NOT_STRONGER: "the population did not become {number} stronger this time",
+    Why.STRONGER_IN_A_JUMP: (
+        "the population became stronger, but mostly in a jump or with a setback"
+    ),
+    Why.FORGETS: "the population falls more than {number} below its best ancestors",
+    Why.NOT_FORGETS: "the population does not fall {number} below its best ancestors",
+    Why.NO_CHANGE: "the strength of the population does not change by {number}, nor who beats whom",
+    Why.CHANGES: "the strength of the population changes by {number} or more",
+    Why.MAY_BE_INTRANSITIVE: (
+        "the population does not become stronger, but the race may be intransitive"
+    ),
 }
 """What reasons are called that would speak of two teams."""
 

@@ -171,7 +171,8 @@ def _results_of(group: RunGroup) -> list[str]:
     schedule = settings.schedule
     assert isinstance(schedule, Against)  # one team evolved
     team = settings.teams[TEAMS.index(schedule.team)]
-    score = next(iter(means.values()))
+    has_own = schedule.team == "evader" and "other_score" in means
+    score = means["other_score"] if has_own else next(iter(means.values()))
     epochs = console.counted(schedule.epochs, "epoch")
     lines = [
         f"{settings.game.known.score_words[0]} {score}",

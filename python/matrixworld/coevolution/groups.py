@@ -104,7 +104,8 @@ class RunGroup:
         """
         rows = [run.summary() for run in self.runs]
         game = self.runs[0].settings.game.known
-        names = (next(iter(game.columns)), *game.single)
+        other = ("other_score",) if game.general else ()
+        names = (next(iter(game.columns)), *other, *game.single)
         if len(rows) > 1:
             over_runs = partial(analysis.interval_over_runs, bounds=(0.0, math.inf))
             return {name: over_runs([row[name] for row in rows]) for name in names}

@@ -129,7 +129,7 @@ class SavedRun(StoredRun):
         pursuer, evader : int, optional
             Generations; negative numbers count from the end. A script ignores them.
         episode : int, optional
-            Number of the episode.
+            Number of the episode; without effect in a game of your own.
 
         Returns
         -------

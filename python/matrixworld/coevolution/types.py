@@ -105,8 +105,10 @@ class Payoff(Readable):
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return scores, their `mean` and `std` over episodes, and the extras: payoff.npz."""
         spread = np.asarray(self.scores.std(axis=2, dtype=np.float64))
-        others = {} if self.others is None else {"others": self.others}
-        return {"scores": self.scores, "mean": self.matrix, "std": spread, **others, **self.extras}
+        more: dict[str, NDArray[Any]] = {} if self.others is None else {"others": self.others}
+        if self.others is not None or self.teams[0] == self.teams[1]:  # what a judgement must know
+            more["teams"] = np.array(self.teams)
+        return {"scores": self.scores, "mean": self.matrix, "std": spread, **more, **self.extras}
 
 
 def payoffs_of(runs: Sequence[Payoff]) -> Payoffs:

@@ -2,7 +2,7 @@
 
 import { html } from "../page/dom.ts";
 import type { Checkerboard, Run } from "./data.ts";
-import { gameWords, generationName } from "./game.ts";
+import { gameWords, generationName, sidesOf } from "./game.ts";
 import { showRate } from "./heatmap.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
@@ -22,7 +22,7 @@ export function checkerboardPanel(run: Run, store: Store, play: () => void): Pan
   return {
     element: card(
       "Checkerboards",
-      `Two generations of each team: each generation of the ${teams.pursuer} is better against another one of the ${teams.evader}. Click a cell to ${click}.`,
+      `${sidesOf(run).length > 1 ? "Two generations of each team" : "Two generations against two others"}: each generation of the ${teams.pursuer} is better against another one of the ${teams.evader}. Click a cell to ${click}.`,
       boards.length
         ? html("div", { class: "boards" }, ...boards)
         : html("p", {}, `No four cells differ by more than ${findings.margin} in this way.`),

@@ -25,7 +25,7 @@ export function ciaoPanel(run: Run, store: Store): Panel | null {
       "CIAO: current individuals against ancestral opponents",
       "The team's own score. Stripes: intransitive, since wins and losses alternate with the age of the opponent; whether a team returns to earlier strategies is recurrence, under What happened. Darker away from the diagonal: forgetting.",
       html("div", { class: "triangles" }, ...triangles.map((each) => each.element)),
-      scaleOfRates("0 loses", "1 wins"),
+      run.payoff.others ? scaleOfRates(...gameWords(run).ends) : scaleOfRates("0 loses", "1 wins"),
     ),
     update: () => triangles.forEach((each) => each.update()),
   };

@@ -34,11 +34,11 @@ class Standing(readable.Readable):
 
     def _parts(self) -> readable.Parts:
         order = np.argsort(-self.scores, kind="stable")
-        best, worst = order[:FEW], order[::-1][:FEW]
+        few = max(1, min(FEW, len(order) // 2))
+        best, worst = order[:few], order[::-1][:few]
         return [
             f"{self.team.capitalize()} of generation {self.generation}: {self.genome}",
-            f"Score against all {len(order)} generations of {self.opponents}: "
-            f"{self.scores.mean():.3f}",
+            f"Mean score against {self.opponents}, {len(order)} of them: {self.scores.mean():.3f}",
             f"Best against generation {self._named(best)}; worst against {self._named(worst)}",
         ]
 
@@ -47,12 +47,20 @@ class Standing(readable.Readable):
 
 
 def standing(run: StoredRun, team: str, generation: int) -> Standing:
-    """Return how a generation of a finished race stands, in a game of your own."""
+    """Return how a generation of a finished run stands, in a game of your own.
+
+    ValueError for a generation of a team alone whose matches the run does not have.
+    """
     key = run.key_of(team)
     side = run.facts.keys.index(key)
     number = run.generation(team, generation, "generation")
     names = run.facts.teams
     genome = run.archive()[key][number]
     shown = str(genome[0]) if genome.dtype.kind == "U" else genome
-    scores = run.payoff().payoffs().side(BOTH[side]).matrices[0][number]
+    rows = run.payoff().payoffs().side(BOTH[side]).matrices[0]
+    first = run.generation(team, -1) + 1 - len(rows)  # a team alone has its last generation there
+    if number < first:
+        expected = f"a generation whose matches the run has, from {first} on"
+        raise ValueError(f"generation: expected {expected}, got {number}")
+    scores = rows[number - first]
     return Standing(names[side], names[1 - side], number, shown, scores)

@@ -28,12 +28,13 @@ ALONE = (
 def check_game(game: Game, matches: int = MATCHES) -> None:
     """Check that a `game` keeps the promises of `Game`.
 
-    Genomes are of their kind; scores are finite numbers in [0, 1], one of each match; they do not
-    depend on the order of the matches, nor on which others are played. Equal generators give equal
-    genomes and equal scores, whatever other random numbers are drawn meanwhile. Of objects also
-    mutants and children are made and play; what `read` makes of a text has this text again, and
-    `play` leaves them as they were. In a symmetric game it makes no difference which side a member
-    plays, as far as so many matches can tell: of 64, a side that wins 70 % is found.
+    Genomes are of their kind, and can be shown. Scores are finite numbers in [0, 1], one of each
+    match; they do not depend on the order of the matches, nor on which others are played. Equal
+    generators give equal genomes and equal scores, whatever other random numbers are drawn
+    meanwhile. Of objects also mutants and children are made and play; what `read` makes of a text
+    has this text again, and `play` leaves them as they were. In a symmetric game it makes no
+    difference which side a member plays, as far as so many matches can tell: of 64, a side that
+    wins 70 % is found.
 
     Parameters
     ----------
@@ -79,6 +80,8 @@ def check_game(game: Game, matches: int = MATCHES) -> None:
             "their order"
         )
 
+    if game.shows:
+        game.shown(first.genomes[0], second.genomes[0])
     if game.symmetric:
         _check_sides(game, first, (everyone, everyone[::-1], seeds))
 

@@ -67,6 +67,12 @@ class Scores:
         first = np.asarray(self.scores, dtype=np.float64)
         return first if team == "pursuer" else 1.0 - first
 
+    def some(self, chosen: NDArray[np.bool_]) -> Scores:
+        """Return the matches of some of M."""
+        extras = {name: values[chosen] for name, values in self.extras.items()}
+        others = None if self.others is None else self.others[chosen]
+        return Scores(self.scores[chosen], extras, others)
+
     def from_both_sides(self) -> Scores:
         """Return the matches (2 M) as their first player sees them, and then as the second does."""
         sides = self.of("pursuer"), self.of("evader")
@@ -79,6 +85,8 @@ def _numbers(name: str, calls: list[Any], shape: tuple[int, ...]) -> NDArray[np.
     for returned in calls:
         if isinstance(returned, float | int) and not shape:
             continue
+        if isinstance(returned, tuple) and any(isinstance(part, Mapping) for part in returned):
+            raise ValueError(f"{name}: expected numbers alone without `extras`, got a dict, too")
         got = checks.unmasked(name, returned).shape
         if got != shape:
             expected = f"shape {shape}" if shape else "a number"
@@ -298,7 +306,8 @@ class Game:
             object.__setattr__(self, "teams", (names[0], names[0]))
             return
         if len(names) != 2:
-            raise ValueError(f"teams: expected those of two teams, got {len(names)}")
+            more = "; one population has symmetric=True" if len(names) == 1 else ""
+            raise ValueError(f"teams: expected those of two teams, got {len(names)}{more}")
         if not words or names[0] == names[1]:
             raise ValueError(f"teams: expected two different words, got {checks.shown(self.teams)}")
 
@@ -339,6 +348,20 @@ class Game:
     def general(self) -> bool:
         """Whether both teams have scores of their own, as in a general-sum game."""
         return self.scores == "both"
+
+    def pairs_of(self, rows: int, columns: int) -> int:
+        """Return how many pairs of so many members are played: of one population half of them."""
+        if not self.symmetric or rows != columns:
+            return rows * columns
+        diagonal = rows if self.plays_itself(rows) else 0
+        return rows * (rows - 1) // 2 + diagonal
+
+    def plays_itself(self, members: int) -> bool:
+        """Return whether so many members of a symmetric game play against themselves.
+
+        What one wins against itself it loses: without anything else to tell, nobody plays that.
+        """
+        return members == 1 or self.general or bool(self.extras)
 
     @property
     def columns(self) -> Mapping[str, type]:

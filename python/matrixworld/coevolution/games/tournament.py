@@ -84,8 +84,7 @@ def tournament(
     is_half = _is_one_population(game, first, second)
     unplayed = _unplayed(shape, known)
     if is_half:  # the other half are the same matches from the other side
-        # What one wins against itself it loses: without anything else to tell, nobody plays that.
-        least = 1 if len(members) > 1 and not (game.general or game.extras) else 0
+        least = 0 if game.plays_itself(len(members)) else 1
         unplayed = [(row, columns[columns >= row + least]) for row, columns in unplayed]
         unplayed = [(row, columns) for row, columns in unplayed if len(columns)]
     plays = []

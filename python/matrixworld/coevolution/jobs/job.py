@@ -230,15 +230,14 @@ def create_job(job: Job, root: Path) -> None:
 def shares(runs: int, threads: int | None, *, in_threads: bool = True) -> tuple[int, int]:
     """Return how many runs play at one time, and the threads of each.
 
-    A game of your own has no threads, and the processes of a slow one lose more than threads do: so
-    its runs are played side by side.
+    Runs of a game of your own are played side by side. It has no threads, and processes for its
+    matches, if it is slow, wait for each other.
     """
     cores = checks.check_threads(threads)
     # A few runs more than cores share them from the beginning: the last one would play alone.
     workers = max(1, runs if runs < 2 * cores else cores)
-    if (
-        in_threads and runs <= FEW
-    ):  # two threads each lose little, and the first run is there in half the time
+    # Two threads each lose little, and the first run is there in half the time.
+    if in_threads and runs <= FEW:
         workers = max(1, min(runs, cores // 2))
     return workers, max(1, cores // workers)
 

@@ -34,6 +34,9 @@ from matrixworld.coevolution.runs.stored import StoredRun
 from matrixworld.coevolution.saved_run import SavedRun, open_run
 from matrixworld.coevolution.settings.race_settings import RaceSettings
 
+DEATHS = 3
+"""Processes that die in succession, without a stage that is saved, before it is an error."""
+
 
 class FailedRunsError(RuntimeError):
     """Some runs of a job have failed (`failures`, by directory); the others are `finished`."""
@@ -114,7 +117,8 @@ def evolve(
         If settings are bad or need too much memory, two runs have the same name, or the directory
         holds something else, such as other runs. Nothing is written then.
     FailedRunsError, BrokenExecutor
-        If runs failed, after all others have ended, or a process or worker has died.
+        If runs failed, after all others have ended; or the worker of an executor has died, or
+        processes of this machine die again and again.
     """
     if getattr(multiprocessing.current_process(), "_inheriting", False):
         raise RuntimeError(
@@ -182,13 +186,31 @@ def play_job(
         for name in left:
             _play_here(watch, name, threads, on_epoch)
     else:
-        in_threads = any(job[name].game.in_threads for name in left)
-        workers, threads_of_each = shares(len(left), threads, in_threads=in_threads)
-        # This process warns when a run has ended, with its name.
-        with processes(workers, ignore=DisengagementWarning) as pool:
-            _play_by(pool, watch, left, threads_of_each)
+        _play_in_processes(watch, left, threads)
     watch.poll()
     return watch.failures
+
+
+def _play_in_processes(watch: Watch, names: Sequence[str], threads: int | None) -> None:
+    """Play runs in processes of this machine; those of a process that dies go on in another one.
+
+    BrokenExecutor if that goes on without a stage that is saved.
+    """
+    deaths = 0
+    while left := [name for name in names if name not in watch.ended]:
+        in_threads = any(watch.job[name].game.in_threads for name in left)
+        workers, threads_of_each = shares(len(left), threads, in_threads=in_threads)
+        saved = [StoredRun(watch.root / name).newest() for name in names]
+        try:
+            # This process warns when a run has ended, with its name.
+            with processes(workers, ignore=DisengagementWarning) as pool:
+                _play_by(pool, watch, left, threads_of_each)
+        except BrokenExecutor:
+            now = [StoredRun(watch.root / name).newest() for name in names]
+            deaths = deaths + 1 if now == saved else 1
+            if deaths == DEATHS:
+                raise
+            warn_caller(f"{watch.root}: a process has died; its runs go on from what is saved")
 
 
 class _CallerError(Exception):

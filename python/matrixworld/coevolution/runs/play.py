@@ -263,7 +263,8 @@ def check_longer(run: StoredRun, generations: int) -> None:
 def total_epochs(settings: RaceSettings) -> int:
     """Return the epochs of a run, and those that take as long as its evaluation."""
     schedule = settings.schedule
-    pairs = schedule.entries**2 if settings.is_race else 1
+    entries = schedule.entries
+    pairs = settings.game.known.pairs_of(entries, entries) if settings.is_race else 1
     evaluation = settings.in_epochs(pairs * settings.evaluation_episodes)
     return schedule.epochs_until(schedule.n_stages) + evaluation
 

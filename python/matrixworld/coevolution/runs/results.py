@@ -67,7 +67,7 @@ def summary_of(training: Training, stage_scores: list[float], payoff: Payoff) ->
     summary = {
         "stages": training.stage,
         **{f"training_{name}": count for name, count in training.counts.items()},
-        "evaluation_matches": payoff.scores.size,
+        "evaluation_matches": training.game.pairs_of(*payoff.matrix.shape) * payoff.scores.shape[2],
     }
     if not training.settings.is_race:
         return {**summary, **_means_of(training, payoff)}
@@ -83,6 +83,8 @@ def _means_of(training: Training, payoff: Payoff) -> dict[str, Any]:
     """
     score, *_ = training.game.columns
     rows = [(score, payoff.scores, 1.0)]
+    if payoff.others is not None:
+        rows.append(("other_score", payoff.others, 1.0))
     game = training.settings.game
     if isinstance(game, PursuitSettings):
         rows.append(("length", payoff.extras["lengths"], game.world.max_steps))

@@ -137,7 +137,7 @@ class StoredRun(StoredFiles):
         keys = self.facts.keys
         if team in keys:
             return team
-        check_choice("team", team, self.facts.teams)
+        check_choice("team", team, dict.fromkeys(self.facts.teams))
         return keys[self.facts.teams.index(team)]
 
     def last(self, team: str) -> Any:

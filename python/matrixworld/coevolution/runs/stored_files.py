@@ -48,7 +48,7 @@ LOG = "log.csv"
 PAYOFF = "payoff.npz"
 SUMMARY = "summary.json"
 
-OF_SCORES = ("scores", "mean", "std", "others")
+OF_SCORES = ("scores", "mean", "std", "others", "teams")
 """Arrays of a payoff file that are no extras of a game."""
 
 

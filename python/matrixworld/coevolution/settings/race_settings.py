@@ -315,7 +315,7 @@ class RaceSettings(Section):
         one_population = isinstance(schedule, AtOnce | SelfPlay)
         if self.game.symmetric and not one_population:
             expected = f"{AtOnce.kind} or {SelfPlay.kind} in a game of one population ({name})"
-            raise SettingError("schedule", expected, schedule.name)
+            raise SettingError("schedule", expected, schedule.kind)
         if isinstance(schedule, SelfPlay) and not self.game.symmetric:
             expected = f"a schedule of two teams in a game that has two ({name})"
             raise SettingError("schedule", expected, schedule.kind)

@@ -257,11 +257,15 @@ def _play_within(
     everyone = training.population(team, np.concatenate([population, hall]))
     key = (training.settings.seed, generation, generation, seeding.Phase.BOTH_LEARN, epoch)
     seeds = seeding.training_seeds(*key, int(seed_indices.max()) + 1)[seed_indices]
-    scores = training.play(everyone, everyone, (first, second, seeds)).from_both_sides()
+    played = training.play(everyone, everyone, (first, second, seeds))
+    # Among contemporaries one wins what the other loses: the log has the matches with the hall.
+    with_hall = second >= n
+    told = played.some(with_hall) if with_hall.any() else None
+    scores = played.from_both_sides()
     own = np.concatenate([first, second])
     opponents = np.concatenate([second, first])
     table = partial(table_of_individuals, own, opponents, n)
-    fitness = training.log_fitness(team, scores, table, generation, epoch, types.SEVERAL)
+    fitness = training.log_fitness(team, scores, table, generation, epoch, types.SEVERAL, told)
     if len(sampled):
         # Columns from n on are the hall of fame.
         training.tell_sampler(team, sampled, table(scores.of(team).mean(axis=1))[:, n:])

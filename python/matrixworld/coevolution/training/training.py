@@ -307,9 +307,19 @@ class Training:
         return self.learners[team].fitness(self.game, scores, team, table)
 
     def log_fitness(
-        self, team: Team, scores: Scores, table: Table, generation: int, epoch: int, opponent: int
+        self,
+        team: Team,
+        scores: Scores,
+        table: Table,
+        generation: int,
+        epoch: int,
+        opponent: int,
+        told: Scores | None = None,
     ) -> FloatArray:
-        """Return the fitness (n,) of a team's individuals, and log the epoch."""
+        """Return the fitness (n,) of a team's individuals, and log the epoch.
+
+        The log has means of the `scores`, or of the matches that are `told`.
+        """
         fitness = self.fitness(team, scores, table)
         row: Row = {
             "stage": self.stage + 1,
@@ -320,7 +330,7 @@ class Training:
             "fitness_mean": float(fitness.mean()),
             "fitness_std": float(fitness.std()),
             "fitness_best": float(fitness.max()),
-            **self.game.row(scores),
+            **self.game.row(scores if told is None else told),
             **self._logged_counts(),
         }
         self.rows.append(row)
