@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources d2b501cecebf7c1db5c9dd502ac36553e772b7e425b74c0591788ca776568159 */
+/* built from web/ by "npm run build"; sources 3254c1bfc0d97554e9d4286e66eefd404619168671fb83108b08bc4ef19784fd */
 "use strict";(()=>{var dr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},tt={DISAPPEAR:0,REACH:1,BOUNCE:2},pr={OCCUPATION:0,SURROUND:1},hr={FAULT:0,INVOLVED:1};var gn=["obstacle","teammate","adversary"],yn=["vertex","edge","chain"],fr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],bn=["p\
 ursuer_{number}","evader_{number}"],gr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},nt={"both held":"both bounce","both doomed":"\

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources d2b501cecebf7c1db5c9dd502ac36553e772b7e425b74c0591788ca776568159 */
+/* built from web/ by "npm run build"; sources 3254c1bfc0d97554e9d4286e66eefd404619168671fb83108b08bc4ef19784fd */
 "use strict";(()=>{var Lr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Je={DISAPPEAR:0,REACH:1,BOUNCE:2},Nr={OCCUPATION:0,SURROUND:1},Ir={FAULT:0,INVOLVED:1};var Fr=["obstacle","teammate","adversary"],xn=["vertex","edge","chain"],Dr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Sn=["p\
 ursuer_{number}","evader_{number}"],Wr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Xe={"both held":"both bounce","both doomed":"\
