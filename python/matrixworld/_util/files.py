@@ -252,8 +252,9 @@ def remove_temporary_files(path: Path) -> None:
 
 TEXTS = ".utf8"
 LENGTHS = ".lengths"
-"""Ends of the names of two arrays that hold one of texts: all of them without gaps, uint8, and how
-many bytes each takes, in the shape of the array. NumPy gives every text the room of the longest."""
+"""Ends of the names of two arrays that hold one of genomes that are text, or any of two dimensions:
+all texts without gaps, uint8, and how many bytes each takes, in the shape of the array. NumPy gives
+every text the room of the longest."""
 
 
 def _joined_texts(texts: NDArray[np.str_]) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
@@ -283,7 +284,9 @@ def _split_texts(joined: NDArray[Any], lengths: NDArray[Any] | None) -> NDArray[
 def save_arrays(path: Path, arrays: Mapping[str, ArrayLike]) -> None:
     """Write named arrays as an npz file; TypeError if one holds objects, which would be pickled."""
     plain: dict[str, Any] = {name: unmasked(name, array) for name, array in arrays.items()}
-    for name in [name for name, array in plain.items() if array.dtype.kind == "U" and array.ndim]:
+    for name in [
+        name for name, array in plain.items() if array.dtype.kind == "U" and array.ndim > 1
+    ]:
         joined, lengths = _joined_texts(plain.pop(name))
         plain |= {f"{name}{TEXTS}": joined, f"{name}{TEXTS}{LENGTHS}": lengths}
     objects = [name for name, array in plain.items() if array.dtype.hasobject]
