@@ -49,7 +49,7 @@ def test_a_recipe_runs_with_few_generations(name, tmp_path):
 def test_the_lines_of_deap_in_the_readme_follow_its_toolbox(tmp_path):
     """The first page continues the recipe, from its toolbox on."""
     code = (CLIENTS / "deap_trees.py").read_text("utf-8").partition("text = {")[0]
-    block = re.search(r"```python no-run\n(game = mw\.Game\(.*?)```", read("README.md"), re.S)
+    block = re.search(r"```python no-run\n(operators = .*?)```", read("README.md"), re.S)
     lines_of_block = block[1].splitlines()
     assert len(lines_of_block) <= 6
     short = block[1].replace("generations=10", "generations=2")

@@ -213,14 +213,18 @@ def _happened(judgement: Judgement, window: str, name: str) -> Event:
         "teams": _named(finding.teams, judgement.teams),
         "sizes": _sizes(finding, name),
         "doubt": _doubt(finding.teams, _gains_in(findings), judgement.teams),
-        "joint": f"{abs(finding.estimates['joint_change'].value):.2f}"
-        if "joint_change" in finding.estimates
-        else "",
+        "joint": _joint_size(finding),
     }
     if name == "stagnation" and judgement.one_population:
         return Event(f"the {judgement.teams[0]}", "became neither stronger nor weaker")
     said = _words(name)
     return Event(said.who.format(**words), said.did.format(**words))
+
+
+def _joint_size(finding: Finding) -> str:
+    """Return by how much the mean of both sides changed; empty of another condition."""
+    change = finding.estimates.get("joint_change")
+    return "" if change is None else f"{abs(change.value):.2f}"
 
 
 def _gains_in(findings: Findings) -> Estimates:
@@ -313,9 +317,9 @@ def _no_progress(judgement: Judgement) -> str:
         return f"{_of_runs(judgement)}{nobody}"
     if runs == 1:
         return "no clear progress"
-    some = ""
-    if improved := findings["arms race"].by_run.count(PRESENT) if "arms race" in findings else 0:
-        some = f" (in {improved} of them, both teams improved)"
+    arms_race = findings.get("arms race")
+    improved = arms_race.by_run.count(PRESENT) if arms_race else 0
+    some = f" (in {improved} of them, both teams improved)" if improved else ""
     if runs < RUNS_FOR_T:
         return f"no clear progress that all {runs} runs share{some}"
     return f"no clear progress on average over {runs} runs{some}"

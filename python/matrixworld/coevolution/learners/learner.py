@@ -215,10 +215,11 @@ class Learner(Section):
             if policy.kind == "cells" and policy.mask != "none" and not self.keeps_mask:
                 raise SettingError("policy.mask", f"'none' with {name}", repr(policy.mask))
         elif self.texts != game.known.texts or not self.any_game:
-            which = "es, ga, cma or your own in a game of your own"
+            expected = "es, ga, cma or your own in a game of your own"
             if game.known.texts:
-                which = f"breeding, or your own for text ({game.variant} has genomes of any kind)"
-            raise SettingError(path, which, name)
+                kind = f"{game.variant} has genomes of any kind"
+                expected = f"breeding, or your own for text ({kind})"
+            raise SettingError(path, expected, name)
         # A run is read without an import of its game.
         self.check_fits(path, game.known)
 
