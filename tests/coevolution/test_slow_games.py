@@ -124,13 +124,15 @@ def test_a_race_is_the_same_for_any_number_of_processes(slow, tmp_path):
     assert results(job[0].path) == results(alone.path)
 
 
-def test_a_job_goes_on_when_one_of_its_processes_dies(slow, tmp_path):
+def test_a_match_that_kills_its_process_kills_no_run_of_a_job(slow, tmp_path):
     settings = [co.RaceSettings.of(TINY, game=slow.game, seed=seed) for seed in (1, 2)]
     expected = [results(co.evolve(each, tmp_path / f"{each.seed}").path) for each in settings]
     (tmp_path / "kill").write_text("once")
-    with pytest.warns(UserWarning, match="a process has died; its runs go on from what is saved"):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # of this process: the run's own plays the matches again
         runs = co.evolve(settings, tmp_path / "job", threads=2)
     assert [results(run.path) for run in runs] == expected
+    assert not (tmp_path / "kill").exists()
 
 
 def test_a_game_that_changed_after_the_import_is_refused(slow, tmp_path):

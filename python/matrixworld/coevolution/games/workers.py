@@ -6,7 +6,7 @@ import sys
 from concurrent.futures import BrokenExecutor, Executor, Future
 from contextlib import ExitStack
 from functools import cache
-from multiprocessing import util
+from multiprocessing import current_process, parent_process, util
 from threading import RLock
 from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
@@ -147,10 +147,14 @@ def end_workers(game: Game) -> None:
 
 
 def play_in_processes(game: Game, matches: Part, threads: int | None) -> Any:
-    """Return what `Game.played` returns of matches, which so many processes play."""
+    """Return what `Game.played` returns of matches, which so many processes play.
+
+    One is enough to play here, but not in a process of a job, whose run would die with a match.
+    """
     count = checks.check_threads(threads)
     total = len(matches.seeds) * len(matches.episodes)
-    workers = workers_of(game) if min(count, total) > 1 else None
+    of_job = parent_process() is not None and not current_process().daemon
+    workers = workers_of(game) if min(count, total) > 1 or of_job else None
     if workers is None:
         return game.played(*matches)
     parts = parts_of(matches, PARTS * count)
