@@ -31,6 +31,7 @@ def test_a_recipe_is_short_and_on_the_page(name):
     assert f"](clients/{name}.py)" in read("docs/clients.md")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", RECIPES)
 def test_a_recipe_runs_with_few_generations(name, tmp_path):
     pytest.importorskip(RECIPES[name], exc_type=ImportError)
