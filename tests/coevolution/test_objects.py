@@ -23,7 +23,7 @@ from matrixworld.coevolution.learners.learner import Learner
 from object_games import guessing, guessing_at_once, sort, sorting, trees
 from own_games import numbers, short_race
 from scripts import python
-from tiny_race import results, straight
+from tiny_race import results, stopped, straight
 
 GAMES = {"sorting": sorting, "guessing": guessing, "at once": guessing_at_once, "trees": trees}
 TINY = {"learner.population": 6, "schedule.generations": 4, "seed": 3}
@@ -38,15 +38,6 @@ RACES = {
 
 def race(game, name="hall", **changes):
     return co.RaceSettings.of({"game": game, **RACES[name], **changes})
-
-
-def stopped(settings, directory):
-    def stop(row):
-        if row["generation"] == 3:
-            raise co.StopRun
-
-    with pytest.raises(co.StopRun):
-        co.evolve(settings, directory, on_epoch=stop)
 
 
 @pytest.mark.parametrize("game", GAMES)

@@ -15,7 +15,7 @@ from matrixworld import coevolution as co
 from matrixworld.coevolution.games.game import Scores
 from matrixworld.coevolution.training.loops import pairings_within
 from one_population import close, coins, dilemma, fists, ladder, larger, meeting, prisoners
-from tiny_race import results, straight
+from tiny_race import results, stopped, straight
 
 TINY = {"learner.population": 6, "schedule.generations": 4, "seed": 3}
 HALL = {**TINY, "schedule": "hall-of-fame", "schedule.joint_epochs": 3, "schedule.hall_sample": 2}
@@ -33,15 +33,6 @@ LEARNERS = {"prisoners": ("breeding",), "coins": ("ga", "es", "cma")}
 
 def race(game, of, **changes):
     return co.RaceSettings.of({"game": game, **of, **changes})
-
-
-def stopped(settings, directory):
-    def stop(row):
-        if row["generation"] == 3:
-            raise co.StopRun
-
-    with pytest.raises(co.StopRun):
-        co.evolve(settings, directory, on_epoch=stop)
 
 
 @pytest.mark.parametrize("of", [HALL, OF_ITSELF], ids=["hall", "self-play"])

@@ -14,7 +14,7 @@ from matrixworld import coevolution as co
 from matrixworld.coevolution.games.digest import digest_of
 from own_games import chance, coins, fewer, higher, numbers
 from scripts import python
-from tiny_race import results, straight
+from tiny_race import results, stopped, straight
 
 IN_TURNS = {"schedule.generations": 4, "schedule.pursuer_epochs": 4, "schedule.evader_epochs": 4}
 HALL = {"schedule": "hall-of-fame", "schedule.generations": 4, "schedule.joint_epochs": 4}
@@ -41,16 +41,6 @@ def race(name="ga", game=coins, **changes):
     learner = {} if "learner" in RACES[name] else {"learner": name}
     population = {"learner.population": 8, "game": game, "seed": 3}
     return co.RaceSettings.of({**learner, **RACES[name], **population, **changes})
-
-
-def stopped(settings, directory, generation):
-
-    def stop(row):
-        if row["generation"] == generation:
-            raise co.StopRun
-
-    with pytest.raises(co.StopRun):
-        co.evolve(settings, directory, on_epoch=stop)
 
 
 @pytest.mark.parametrize("name", RACES)

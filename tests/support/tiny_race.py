@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from matrixworld.coevolution import RaceSettings, Run, SavedRun, create, finish
+from matrixworld.coevolution import RaceSettings, Run, SavedRun, StopRun, create, evolve, finish
 from matrixworld.play.rollout import Matches, rollout
 
 TINY = {
@@ -177,3 +177,14 @@ def stop_and_continue(make, call, directory):
         playing(run, rollout).run()  # not `StopAt`, which would stop it again
     else:
         make(directory, threads=1).run()
+
+
+def stopped(settings, directory, generation=3):
+    """Run a race until the first epoch of a generation."""
+
+    def stop(row):
+        if row["generation"] == generation:
+            raise StopRun
+
+    with pytest.raises(StopRun):
+        evolve(settings, directory, on_epoch=stop)
