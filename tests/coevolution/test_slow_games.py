@@ -5,6 +5,7 @@ import os
 import sys
 import warnings
 from concurrent.futures import BrokenExecutor
+from multiprocessing import active_children
 
 import numpy as np
 import pytest
@@ -122,6 +123,19 @@ def test_a_race_is_the_same_for_any_number_of_processes(slow, tmp_path):
     # A job of seeds divides the cores: two runs of two processes.
     job = co.evolve([settings, settings.changed({"seed": 2})], tmp_path / "job", threads=4)
     assert results(job[0].path) == results(alone.path)
+
+
+def test_a_race_that_fails_leaves_no_processes(slow, tmp_path):
+    settings = co.RaceSettings.of(TINY, game=slow.game)
+    processes_before = set(active_children())
+
+    def fails(epoch):
+        assert set(active_children()) - processes_before
+        raise OSError("no space")
+
+    with pytest.raises(OSError, match="no space"):
+        co.evolve(settings, tmp_path / "run", threads=2, on_epoch=fails)
+    assert not set(active_children()) - processes_before
 
 
 def test_a_match_that_kills_its_process_kills_no_run_of_a_job(slow, tmp_path):

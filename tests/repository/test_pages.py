@@ -8,7 +8,7 @@ import pytest
 
 from course.questions import Exercise, exercises
 from matrixworld.coevolution import Game, Pursuit, evolve
-from matrixworld.coevolution.runs.facts import COLUMNS
+from matrixworld.coevolution.types import LOGGED
 from notebooks import NOTEBOOKS
 from pages import DOCS, ROOT, page_id, read
 from tiny_race import tiny_race
@@ -77,7 +77,7 @@ def arrays_in(heading):
 
 def test_the_files_of_a_run(tmp_path):
     own = Game(len, 1, ("ones", "others"), scores="both")
-    columns = {**COLUMNS, **Pursuit().columns, **own.columns}
+    columns = {**LOGGED, **Pursuit().columns, **own.columns}
     assert named("### `log.csv`") == {name: kind.__name__ for name, kind in columns.items()}
     run = tmp_path / "run"
     evolve(tiny_race(), run, threads=1)

@@ -45,7 +45,15 @@ LOGGED: dict[str, type] = {
     "fitness_std": float,
     "fitness_best": float,
 }
-"""Columns of the log of every game, one row per epoch, and their types."""
+"""Columns of the log, one row per epoch, and their types, before those of the game
+(`Game.columns`).
+
+`stage` counts the stages of the run from 1; `opponent` is the opponent's generation (-1: several
+opponents); `fitness_*` are over the candidates of the epoch; `capture_rate` or `score`, `length`
+and `*_faults` (agent-steps at fault in a collision) are means over its episodes; `matches` and
+`steps` are the training episodes and world steps played so far in the run. Matches after the last
+epoch of a generation, which choose its champion, count in the row of that epoch.
+"""
 SEVERAL = -1  # value of `opponent` in the log of an epoch with several opponents
 
 Indices = NDArray[np.intp]

@@ -41,8 +41,8 @@ def check_game(game: Game, matches: int = MATCHES) -> None:
     game : Game
         The game.
     matches : int, optional
-        Matches of a check, at least 2. Each is played in five episodes, in those of a symmetric
-        game in nine; without chance in three and in five.
+        Matches of a check, at least 2. On average each is played in five episodes, in nine if the
+        game is symmetric; without chance in half as many.
 
     Raises
     ------

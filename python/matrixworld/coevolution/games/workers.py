@@ -108,7 +108,8 @@ class Workers:
 
     def close(self, *, at_once: bool = False) -> None:
         """End the processes, `at_once` in the middle of a match."""
-        _end(self._open, self._pools, sys.exc_info() if at_once else (None, None, None))
+        with self._lock:
+            _end(self._open, self._pools, sys.exc_info() if at_once else (None, None, None))
 
 
 def _end(opened: ExitStack, pools: dict[int, Executor], error: Any = (None, None, None)) -> None:

@@ -12,16 +12,6 @@ from typing import Any, NamedTuple
 from matrixworld.coevolution.games.game import GameSettings
 from matrixworld.coevolution.types import LOGGED
 
-COLUMNS = LOGGED
-"""Columns of the log, one row per epoch, and their types, before those of the game
-(`Game.columns`).
-
-`stage` counts the stages of the run from 1; `opponent` is the opponent's generation (-1: several
-opponents); `fitness_*` are over the candidates of the epoch; `capture_rate` or `score`, `length`
-and `*_faults` (agent-steps at fault in a collision) are means over its episodes; `matches` and
-`steps` are the training episodes and world steps played so far in the run. Matches after the last
-epoch of a generation, which choose its champion, count in the row of that epoch.
-"""
 TYPES: dict[str, type] = {"int": int, "float": float, "str": str}
 """Types of columns by their names in files."""
 
@@ -43,7 +33,7 @@ class Facts(NamedTuple):
     @classmethod
     def of(cls, game: GameSettings) -> Facts:
         """Return the facts of a game."""
-        columns = {**COLUMNS, **game.known.columns}
+        columns = {**LOGGED, **game.known.columns}
         type_names = {name: kind.__name__ for name, kind in columns.items()}
         score, _ = game.known.score_words
         return cls(game.teams, game.keys, game.deterministic, score, type_names)

@@ -111,22 +111,24 @@ class Run:
         self._on_epoch = on_epoch
         schedule = self.settings.schedule
         path = self.files.path
-        with self.files.lock():
-            # Since this object was made, another process may have continued the run, or an
-            # interrupted stage of its own may have changed states.
-            self._restore()
-            self._before = schedule.epochs_until(self.training.stage)
-            LOG.info(
-                "%s: goes on from stage %d of %d", path, self.training.stage, schedule.n_stages
-            )
-            while self.training.stage < schedule.n_stages:
-                self._run_stage()
-            if self.files.finished:
-                self.files.check_results()
-            else:
-                self._save_results()
-                LOG.info("%s: ended", path)
-        end_workers(self.settings.evaluation_game)
+        try:
+            with self.files.lock():
+                # Since this object was made, another process may have continued the run, or an
+                # interrupted stage of its own may have changed states.
+                self._restore()
+                self._before = schedule.epochs_until(self.training.stage)
+                LOG.info(
+                    "%s: goes on from stage %d of %d", path, self.training.stage, schedule.n_stages
+                )
+                while self.training.stage < schedule.n_stages:
+                    self._run_stage()
+                if self.files.finished:
+                    self.files.check_results()
+                else:
+                    self._save_results()
+                    LOG.info("%s: ended", path)
+        finally:
+            end_workers(self.settings.evaluation_game)
         return StoredRun(path)
 
     def _run_stage(self) -> None:
