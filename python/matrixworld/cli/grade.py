@@ -90,7 +90,7 @@ def grade_command(
                 "without a run; name the files in it one by one"
             )
     grades: dict[str, Grade] = {}
-    failed = 0
+    failures: list[str] = []
     with (
         console.warnings_as_notes(),
         usage_errors(),
@@ -106,9 +106,10 @@ def grade_command(
             try:
                 grades[given] = _graded(given, suite, team, fov, programs, report)
             except (OSError, TypeError, ValueError, _ProgramError) as error:
-                failed += 1
                 name, told = one_line(given), str(error)
-                console.note(told if Path(name).name in told else f"{name}: {told}")
+                failures.append(told if Path(name).name in told else f"{name}: {told}")
+                if len(players) > 1:
+                    console.note(failures[-1])
     if len(players) == 1:
         for found in grades.values():
             console.say(f"\n{found}")
@@ -118,8 +119,11 @@ def grade_command(
         console.say(f"\n{WHAT}")
         plain = [found.to_json() for found in grades.values()]
         options.write_json(json_file, {"grades": plain})
-    if failed:
-        raise click.exceptions.Exit(1)
+    if len(players) == 1 and failures:
+        raise click.ClickException(failures[0])
+    if failures:
+        count = f"{len(failures)} of {len(players)} players"
+        raise click.ClickException(f"{count} have no grade: see above")
 
 
 def _suite_of(chosen: Sequence[str]) -> Suite:
