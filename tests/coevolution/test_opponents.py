@@ -43,13 +43,36 @@ def test_latest():
     assert chosen(opponents.Latest(), 2, 3) == [1, 0]
 
 
+def turns(sampler, generations, epochs, count=1):
+    """Return whom a team meets in each epoch of generations that have so many opponents."""
+    state, found = sampler.start(), []
+    for available in generations:
+        state = sampler.update(state, available, available, None)
+        found.append([])
+        for epoch in range(epochs):
+            met = sampler.sample(state, available, count, epoch, rng())
+            state = sampler.tell(state, met, np.full((4, len(met)), 0.5))
+            found[-1].append(met.tolist())
+    return found
+
+
 def test_round_robin_takes_turns():
-    for available in range(1, 6):
-        for epoch in range(12):
-            assert chosen(opponents.RoundRobin(), available, 1, epoch) == [epoch % available]
-    two = [chosen(opponents.RoundRobin(), 3, 2, epoch) for epoch in range(3)]
-    assert two == [[0, 1], [2, 0], [1, 2]]
-    assert chosen(opponents.RoundRobin(), 3, 5, 1) == [2, 0, 1]
+    for available, met in enumerate(turns(opponents.RoundRobin(), range(1, 6), 12), start=1):
+        assert met == [[epoch % available] for epoch in range(12)]
+    assert turns(opponents.RoundRobin(), [3], 3, 2) == [[[0, 1], [2, 0], [1, 2]]]
+    assert turns(opponents.RoundRobin(), [3], 2, 5) == [[[0, 1, 2], [0, 1, 2]]]
+
+
+def test_round_robin_meets_all_opponents_in_short_generations():
+    met = turns(opponents.RoundRobin(), range(1, 31), 4)
+    assert met[:5] == [[[0]] * 4, [[0], [1]] * 2, [[0], [1], [2], [0]], [[0], [1], [2], [3]],
+                       [[0], [1], [2], [3]]]  # fmt: skip
+    assert met[5] == [[4], [5], [0], [1]]
+    for generation in range(10, 31):
+        late = [
+            one for of_generation in met[generation - 10 : generation] for [one] in of_generation
+        ]
+        assert set(late) >= set(range(generation - 9)), "all older ones within ten generations"
 
 
 def test_uniform_draws_all_opponents_equally_often():

@@ -79,7 +79,9 @@ def test_a_checkpoint_that_lacks_a_part_of_a_state_is_damaged(tmp_path):
     run = played(settings, tmp_path / "run")
     newest = f"checkpoint-{settings.schedule.n_stages:04}.npz"
     arrays = files.load_arrays(run.path / newest)
-    of_states = [name for name in arrays if name.startswith("pursuer.")]
+    # Runs of earlier versions lack the count of `RoundRobin`, and go on.
+    counted = "pursuer.opponents.met"
+    of_states = [name for name in arrays if name.startswith("pursuer.") and name != counted]
     assert len(of_states) > 3
     for number, name in enumerate(of_states):
         copy = Path(shutil.copytree(run.path, tmp_path / str(number)))

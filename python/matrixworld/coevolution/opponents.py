@@ -107,14 +107,31 @@ class Uniform(Opponents):
 class RoundRobin(Opponents):
     """All opponents in turn: ``epoch mod available``, as the paper's generalists.
 
-    Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
+    A generation that has fewer epochs than opponents goes on where the one before it ended, so that
+    all are met. Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
     """
+
+    def start(self) -> State:
+        """Return how many opponents have been met since opponent 0 had its turn: none."""
+        return {"met": np.array(0)}
 
     def sample(self, state: State, available: int, count: int, epoch: int, rng: Rng) -> Indices:
         """Return the next opponents in the cycle."""
         # No more than are available, or an opponent would come twice in an epoch.
         turns = np.arange(min(count, available))
-        return np.asarray((epoch * count + turns) % available)
+        return np.asarray((_met(state) + turns) % available)
+
+    def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
+        """Count the opponents."""
+        return {"met": np.array(_met(state) + len(opponents))}
+
+    def update(self, state: State, own: int, available: int, payoff: PayoffFunction) -> State:
+        """Begin anew with opponent 0 if all but the newest opponent have been met."""
+        return state if _met(state) < available - 1 else self.start()
+
+
+def _met(state: State) -> int:
+    return int(state.get("met", 0))  # runs of earlier versions have not counted
 
 
 @section("newest-and-older")
