@@ -14,6 +14,7 @@ from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS, Judgement, judge
 from matrixworld.analysis.judge import RULES
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Finding
+from matrixworld.analysis.measures import leads_of
 from matrixworld.analysis.reasons import Reason
 
 
@@ -230,6 +231,41 @@ def test_a_sentence_is_about_the_whole_race_and_a_half_that_differs():
         drawn(PURSUERS_ONLY, 20, evaders=30), per_episode=True, teams=("foxes", "hens")
     )
     assert analysis.sentence(judge(named)) == "Only the foxes improved."
+
+
+def learned_at_once(generations, by, seed=0, episodes=20):
+    """Return a race whose teams learn all in their first generations, in equal steps."""
+    strengths = np.minimum(np.arange(generations) / by, 1.0) * 2.0
+    return drawn(race(strengths, strengths), episodes, seed)
+
+
+@pytest.mark.parametrize("by", [1, 3])
+def test_teams_that_learn_at_once_are_told_from_teams_that_learn_nothing(by):
+    judgement = of_scores(learned_at_once(31, by))
+    assert analysis.sentence(judgement).startswith("Both teams learned ")
+    for lead, reached in judgement.leads.values():
+        assert lead.low > 0.2
+        assert reached in (by, by + 1)
+    named = "in generation 1" if by == 1 else "by generation "
+    assert named in analysis.sentence(judgement)
+    nothing = of_scores(drawn(np.full((31, 31), 0.5)))
+    assert "learned" not in analysis.sentence(nothing)
+    together = of_scores(np.stack([learned_at_once(31, 2, seed) for seed in range(5)]))
+    assert analysis.sentence(together).startswith("On average over 5 runs, both teams learned by ")
+
+
+@pytest.mark.parametrize("episodes", [2, 5])
+def test_races_in_which_nobody_learns_are_seldom_said_to_learn(episodes):
+    draws = np.random.default_rng(5)
+    wrong = 0
+    for seed in range(200):
+        # Generations differ, and so do pairs; generation 0 is like all others.
+        strengths = draws.normal(0.0, 0.7, (2, 12))
+        chance = expit(np.subtract.outer(*strengths) + draws.normal(0.0, 0.3, (12, 12)))
+        payoffs = analysis.read_payoffs(drawn(chance, episodes, seed), per_episode=True)
+        leads = leads_of(payoffs).values()
+        wrong += any(lead.low > 0.05 for lead, _ in leads)
+    assert wrong <= 10  # 5 %
 
 
 FIRST, LAST = "first half", "last half"

@@ -143,8 +143,8 @@ def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, u
         told = run_together(said[said.index(f"\n{name}") :])
         assert told.startswith(run_together(f"{name}\n{sentence(group.judgement)}"))
         scores = {team: group.held_out(team) for team in TEAMS}
-        pursuers, evaders = (f"{each.mean():.2f}" for each in scores.values())
-        assert f"{name} {pursuers} {evaders} " in strangers
+        cells = [each for t in TEAMS for each in (group.best_held_out(t), scores[t])]
+        assert " ".join([name, *(f"{each.mean():.2f}" for each in cells)]) in strangers
         kept = written["groups"][name]
         assert (kept["finished"], kept["missing"]) == ([0, 1], [3])
         assert kept["judgement"] == group.judgement.to_json()

@@ -10,7 +10,7 @@ from matrixworld._util.files import read_json, save_json
 from matrixworld.analysis import judge
 from matrixworld.coevolution import compare, open_runs, score
 from matrixworld.coevolution.evaluation.kept_scores import kept_scores
-from matrixworld.coevolution.evaluation.scores import estimates_of
+from matrixworld.coevolution.evaluation.scores import best_generations, estimates_of
 from matrixworld.coevolution.groups import open_groups
 from matrixworld.coevolution.runs.places import find_runs
 from tiny_race import SCHEDULES, StopAt, played, tiny_race, tiny_single
@@ -60,7 +60,12 @@ def test_scores_are_kept_and_played_again_if_they_are_of_something_else(job):
     assert told[-1].what.startswith("[3/3] evaders")
     played = score(open_runs(job / SECOND)[1])["pursuer"].to_json()
     assert kept[1]["pursuers"].items() >= played.items()
-    assert {*kept[1]["pursuers"]} - {*played} == {"untrained", "best script"}
+    beside = {"untrained", "best script", "best generation"}
+    assert {*kept[1]["pursuers"]} - {*played} == beside
+    generation, mean = kept[1]["pursuers"]["best generation"]
+    of_best = score(open_runs(job / SECOND)[1], generation=generation)["pursuer"]
+    assert mean == pytest.approx(of_best.means[0])
+    assert generation == best_generations(open_runs(job / SECOND)[1])["pursuer"]
     files = [run.path / "scores.json" for run in runs]
     before = [file.read_bytes() for file in files]
     told.clear()

@@ -468,6 +468,17 @@ def t_ends(values: ArrayLike, level: float, bounds: Bounds = UNBOUNDED) -> tuple
     return max(mean - half, bounds[0]), min(mean + half, bounds[1])
 
 
+def prediction_reach(values: ArrayLike, level: float) -> float:
+    """Return how far one more value may lie from the mean of some, in an interval of a level.
+
+    Values are independent and normal (Whitmore 1986, "Prediction limits for a univariate normal
+    observation", The American Statistician 40).
+    """
+    array = np.asarray(values, dtype=np.float64)
+    n = len(array)
+    return float(t_quantile(level, n - 1) * np.std(array, ddof=1) * math.sqrt(1.0 + 1.0 / n))
+
+
 def does_not_vary(values: Rates) -> bool:
     """Return whether values are equal but for rounding, so that no interval follows from them."""
     return float(np.ptp(values)) <= 1e-12 * max(1.0, float(np.abs(values).max()))

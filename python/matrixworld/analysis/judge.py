@@ -22,7 +22,7 @@ from matrixworld.analysis.judgement import (
     Findings,
     Judgement,
 )
-from matrixworld.analysis.measures import MEASURES, ends_of_extras
+from matrixworld.analysis.measures import MEASURES, ends_of_extras, leads_of
 from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
 from matrixworld.analysis.progress import PURSUERS_WIN
 from matrixworld.analysis.reasons import Reason, Why
@@ -91,6 +91,7 @@ def judge(
     for half in HALVES:
         findings = _judge_window(payoffs, payoffs.windows[half], level)
         windows[half] = _as_sure(findings, whole)
+    is_long = payoffs.windows[WHOLE].generations >= GENERATIONS_TO_JUDGE
     return Judgement(
         len(payoffs),
         payoffs.shape,
@@ -101,6 +102,7 @@ def judge(
         payoffs.exact,
         refused_of(payoffs),
         ends_of_extras(payoffs),
+        leads_of(payoffs, level) if is_long else {},
     )
 
 

@@ -41,7 +41,9 @@ class Judgement(Readable):
     `level`. A run has generations of both `teams` (`shape`), and so many `episodes` behind each
     cell, if known; they are equal in an `exact` game, without chance. Conditions that have no
     meaning in such a game are `refused`, each for a reason. `extras` are means of other numbers of
-    a game, in the first and in the last third of the generations, among contemporaries.
+    a game, in the first and in the last third of the generations, among contemporaries. `leads` say
+    how much better late generations of a team are than its generation 0, and by which generation it
+    had nine tenths of that: `measures.leads_of`.
     """
 
     runs: int
@@ -53,6 +55,7 @@ class Judgement(Readable):
     exact: bool = False
     refused: Mapping[str, Reason] = field(default_factory=dict)
     extras: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    leads: Mapping[str, tuple[Estimate, int]] = field(default_factory=dict)
 
     def _parts(self) -> Parts:
         return [sentence(self), judgement_cells(self)]
@@ -130,14 +133,17 @@ _OF_STRENGTH = frozenset(
 """Conditions that say whether a team improved, or why that is not known."""
 WHOLE = "whole"
 HALVES = ("first half", "last half")
+LEAST_LEAD = 0.05
+"""A team has learned if its late generations are better than generation 0 by more than this."""
 
 
 def sentence(judgement: Judgement) -> str:
     """Return what happened by a `judgement` in plain words: who improved, and what was lost.
 
     Such as ``"Both teams improved. From generation 15 on, the pursuers lost old skills (0.06)."``.
-    It speaks of the whole race, and of a half where that surely differs. Terminal, page, figures
-    and reports all print it.
+    It speaks of the whole race, and of a half where that surely differs. Where nobody is known to
+    have improved it says first who had learned after few generations. Terminal, page, figures and
+    reports all print it.
     """
     check_instance("judgement", judgement, Judgement)
     reason = next(iter(judgement.findings.values())).reason
@@ -145,7 +151,13 @@ def sentence(judgement: Judgement) -> str:
         return f"Too short to be judged: {reason}."
     events = _events(judgement)
     clauses = [_beginning(judgement, window) + _clause(events[window]) for window in events]
-    if any(not _OF_STRENGTH.isdisjoint(told) for told in events.values()):
+    told = {name for names in events.values() for name in names} & _OF_STRENGTH
+    early = "" if told - {"stagnation"} else _learned_early(judgement)
+    if told and early:
+        clauses = [early, *clauses]
+    elif early:
+        clauses = [f"{early}; after that {_no_progress(judgement, of_runs=False)}", *clauses]
+    elif told:
         clauses[0] = _of_runs(judgement) + clauses[0]
     elif clauses:
         clauses[0] = f"{_no_progress(judgement)}: {clauses[0]}"
@@ -283,6 +295,24 @@ def _clause(events: Mapping[str, Event]) -> str:
     return clause
 
 
+def _learned_early(judgement: Judgement) -> str:
+    """Return who was better than generation 0 after few generations, and by how much; or ""."""
+    half = max(judgement.shape) // 2
+    learned = {
+        team: (lead.value, reached)
+        for team, (lead, reached) in judgement.leads.items()
+        if lead.low is not None and lead.low > LEAST_LEAD and reached < half
+    }
+    if not learned:
+        return ""
+    who = judgement.teams[0] if judgement.one_population else None
+    who = f"the {who}" if who else _named(tuple(learned), judgement.teams)
+    sizes = " and ".join(f"{value:.2f}" for value, _ in learned.values())
+    last = max(reached for _, reached in learned.values())
+    when = "in generation 1" if last == 1 else f"by generation {last}"
+    return f"{_of_runs(judgement)}{who} learned {when} ({sizes} better than generation 0)"
+
+
 def _beginning(judgement: Judgement, window: str) -> str:
     """Return a window in words, as the beginning of a clause about it."""
     if window == WHOLE:
@@ -305,7 +335,7 @@ def _of_runs(judgement: Judgement) -> str:
     return f"on average over {judgement.runs} runs, "
 
 
-def _no_progress(judgement: Judgement) -> str:
+def _no_progress(judgement: Judgement, *, of_runs: bool = True) -> str:
     """Return that no team is known to have improved, and in which runs both did."""
     findings = judgement.findings
     runs = judgement.runs
@@ -314,7 +344,7 @@ def _no_progress(judgement: Judgement) -> str:
     if not judgement.one_population:
         nobody = "neither team improved"
     if all(findings[name].verdict == ABSENT for name in asked):
-        return f"{_of_runs(judgement)}{nobody}"
+        return f"{_of_runs(judgement)}{nobody}" if of_runs else nobody
     if runs == 1:
         return "no clear progress"
     arms_race = findings.get("arms race")
@@ -340,7 +370,18 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
         rows.append((name, finding.verdict, numbers, "whole race" if window == WHOLE else window))
     for name, (first, last) in judgement.extras.items():
         rows.append((name, "told", f"{first:.3g} at first, {last:.3g} in the end", "whole race"))
+    if judgement.leads:
+        rows.append(("lead over generation 0", "told", _leads(judgement), "whole race"))
     return rows
+
+
+def _leads(judgement: Judgement) -> str:
+    """Return the leads of both teams, and by which generation they had nearly all of it."""
+    names, keys = names_of(judgement.teams), keys_of("lead")
+    return ", ".join(
+        f"{names[team]} {MEASURES[keys[team]].shown(lead)} by generation {reached}"
+        for team, (lead, reached) in judgement.leads.items()
+    )
 
 
 def _rows(judgement: Judgement) -> list[tuple[str, Finding, str]]:

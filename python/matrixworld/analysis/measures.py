@@ -240,6 +240,39 @@ def _last_score(matrix: Rates) -> float:
     return float(matrix.mean(axis=1)[-1])
 
 
+def _lead(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
+    """Return how much more a team's last half of generations wins than generation 0.
+
+    The interval of a single run is that of a prediction: generation 0 as another one of the last
+    half, in which generations differ by noise and by what they do.
+    """
+    courses = payoffs.side(team).matrices.mean(axis=2)[:, _span(window, team)]
+    late = courses[:, courses.shape[1] // 2 :]
+    leads = late.mean(axis=1) - courses[:, 0]
+    if len(leads) > 1:
+        return _mean_of(leads, level, GAIN)
+    reach = intervals.prediction_reach(late[0], level)
+    value = float(leads[0])
+    return Estimate(value, value - reach, value + reach, "episodes", payoffs.episodes or 0)
+
+
+def leads_of(payoffs: Payoffs, level: float = LEVEL) -> dict[str, tuple[Estimate, int]]:
+    """Return how much better late generations of a team are than its generation 0, by team.
+
+    The mean payoff of the last half of its generations against all opponents, minus that of
+    generation 0; and the first generation from which the mean over three has nine tenths of it.
+    """
+    teams = ["pursuers"] if payoffs.one_population else ["pursuers", "evaders"]
+    leads = {}
+    for team in teams:
+        lead = _lead(payoffs, payoffs.windows["whole"], level, team=team)
+        course = payoffs.side(team).matrices.mean(axis=(0, 2))
+        means = np.convolve(course[1:], np.full(3, 1 / 3), "valid")
+        reached = np.flatnonzero(means >= course[0] + 0.9 * lead.value)
+        leads[team] = lead, 1 + int(reached[0]) if len(reached) else len(course) - 1
+    return leads
+
+
 def _last_rating(matrix: Rates, team: str) -> float:
     return ratings.ELO_POINTS * float(getattr(ratings.elo(matrix), team)[-1])
 
@@ -607,6 +640,9 @@ ROWS = (
     *_of_teams(
         "generalization", "last {team} against all {other}, {win}",
         partial(_of_matrix, number=_last_score), general=True,
+    ),
+    *_of_teams(
+        "lead", "lead of the late {team} over generation 0", _lead, form="+.3f", general=True
     ),
     *_of_teams(
         "fading", "CIAO, fading of the {team}",

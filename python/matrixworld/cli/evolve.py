@@ -129,7 +129,8 @@ def _shows(function: Any) -> Any:
 @click.option(
     "--learner",
     metavar="NAME",
-    help=f"{', '.join(names_in(Learner))}, or one of your own, as module:object  [default: es]",
+    help=f"{', '.join(names_in(Learner))}, or one of your own, as module:object  [default: cma "
+    "where policies rate moves, otherwise es]",
 )
 @click.option(
     "--generations",

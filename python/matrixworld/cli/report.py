@@ -113,7 +113,7 @@ def _print_results(groups: Sequence[RunGroup], root: Path) -> None:
     of_pursuit = _races_of_pursuit(groups)
     if of_pursuit:
         console.say()
-        console.print_table(_against_strangers(of_pursuit), "<<<")
+        console.print_table(_against_strangers(of_pursuit), "<<<<<")
     for group in of_pursuit:
         _print_what_evolved(group)
 
@@ -136,15 +136,23 @@ def _against_strangers(groups: Sequence[RunGroup]) -> list[list[str]]:
     beside = [scores[PLURALS[team]] for team in TEAMS]
     scripts = [of_team["best script"] for of_team in beside]
     return [
-        ["score against strangers", *BOTH],
+        ["score against strangers", *(head for team in BOTH for head in (f"{team}: best", "last"))],
         *map(_mean_scores, groups),
-        ["the best script", *(f"{value:.2f} {name}" for name, value in scripts)],
-        ["untrained teams", *(f"{of_team['untrained']:.2f}" for of_team in beside)],
+        [
+            "the best script",
+            *(cell for name, score in scripts for cell in (f"{score:.2f} {name}", "")),
+        ],
+        [
+            "untrained teams",
+            *(cell for each in beside for cell in (f"{each['untrained']:.2f}", "")),
+        ],
     ]
 
 
 def _mean_scores(group: RunGroup) -> list[str]:
-    return [group.name, *(f"{group.held_out(team).mean():.2f}" for team in TEAMS)]
+    """Return the mean scores of the best and of the last generation of each team."""
+    scores = [each for team in TEAMS for each in (group.best_held_out(team), group.held_out(team))]
+    return [group.name, *(f"{each.mean():.2f}" for each in scores)]
 
 
 def draw(groups: Sequence[RunGroup], root: Path) -> None:

@@ -97,6 +97,11 @@ class RunGroup:
             rows.append([estimates[0]["value"] for estimates in against.values()])
         return np.array(rows)
 
+    def best_held_out(self, team: Team) -> NDArray[np.float64]:
+        """Return the mean scores (seeds,) of the best generations of a team, kept as well."""
+        every = [scores[PLURALS[team]]["best generation"] for scores in kept_scores(self.runs)]
+        return np.array([mean for _, mean in every])
+
     def means(self) -> dict[str, Estimate]:
         """Return the score, and of pursuit the length of episodes, of a team that evolved alone.
 
@@ -133,6 +138,7 @@ class RunGroup:
             held_out[PLURALS[team]] = {
                 "mean": over_runs(scores.mean(axis=1)),
                 "interquartile mean": analysis.interquartile_mean(scores),
+                "best generation": over_runs(self.best_held_out(team)),
             }
         return {**plain, "held_out": plain_values(held_out)}
 

@@ -183,7 +183,8 @@ class SavedRun(StoredRun):
     def best(self, team: str, *, sampled: bool | None = None, seed: int | None = None) -> Any:
         """Return the policy of a team that is best against held-out opponents.
 
-        It is chosen by episodes of its own, which no score is from. They are played once.
+        It is chosen by episodes of its own, which no score is from, in rounds: each plays fewer
+        generations in more episodes. They are played once.
 
         Parameters
         ----------

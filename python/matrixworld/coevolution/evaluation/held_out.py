@@ -18,7 +18,7 @@ from matrixworld.coevolution.games.pursuit import Network
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import LEAST_FOV
-from matrixworld.world.policy import CAREFUL, Population, Script, TeamPolicy
+from matrixworld.world.policy import CAREFUL, SCRIPTS, Population, Script, TeamPolicy
 from matrixworld.world.rules import Capture, Rules, rules_of, variant_name
 
 FILE = "held_out.npz"
@@ -44,6 +44,13 @@ def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
     if team == "evader":
         return ESCAPERS
     return SURROUNDERS if rules.capture is Capture.SURROUND else OCCUPIERS
+
+
+def scripts_for(team: Team, config: WorldConfig) -> tuple[Script, ...]:
+    """Return all scripts that make sense for a team in a world: careful ones, too."""
+    usual = [name.removeprefix(CAREFUL) for name in held_out_scripts(team, config.rules)]
+    sensible = (name for name in SCRIPTS if name.removeprefix(CAREFUL) in usual)
+    return tuple(name for name in sensible if plays_in(name, config))
 
 
 def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:

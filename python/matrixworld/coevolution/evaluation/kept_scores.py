@@ -9,10 +9,11 @@ from matrixworld._util import files
 from matrixworld._util.teams import PLURALS
 from matrixworld.coevolution.evaluation.held_out import HELD_OUT_VERSION
 from matrixworld.coevolution.evaluation.scores import (
-    CHOICE_EPISODES,
+    BESIDE_EPISODES,
     EPISODES,
     SEED,
     HeldOutScores,
+    best_generations,
     best_scripts,
     score,
     score_runs,
@@ -24,7 +25,7 @@ from matrixworld.version import __version__
 
 SCORES = "scores.json"  # the file in the directory of a run
 PLAYED_BY = {
-    "format": 2,  # of the file
+    "format": 3,  # of the file
     "matrixworld": __version__,
     "held_out": HELD_OUT_VERSION,
     "episodes": EPISODES,
@@ -38,8 +39,9 @@ def kept_scores(
 ) -> list[dict[str, Any]]:
     """Return the scores of the last generations as values of JSON, by "pursuers" and "evaders".
 
-    They are played once and kept with the mean scores of generation 0 ("untrained") and of each
-    team's best script. ValueError for runs of another game than pursuit and evasion.
+    They are played once and kept with the mean scores of generation 0 ("untrained"), of each team's
+    best script, and of its "best generation", which has been chosen on other episodes. ValueError
+    for runs of another game than pursuit and evasion.
     """
     missing = [run for run in runs if not _is_kept(run)]
     played = score_runs(missing, report=report, threads=threads)
@@ -69,13 +71,16 @@ def _with_others(
     run: StoredRun, scores: Mapping[Team, HeldOutScores], threads: int | None
 ) -> dict[str, Any]:
     """Return the scores of a run's teams as values of JSON, and those that they stand beside."""
-    scripts = best_scripts(run.pursuit.world, episodes=CHOICE_EPISODES)
-    first = score(run, generation=0, episodes=CHOICE_EPISODES, threads=threads)
+    scripts = best_scripts(run.pursuit.world, episodes=EPISODES)
+    first = score(run, generation=0, episodes=BESIDE_EPISODES, threads=threads)
+    generations = best_generations(run, threads=threads)
+    best = score(run, generation=generations, threads=threads)
     plain = {}
     for team, of_team in scores.items():
         plain[PLURALS[team]] = {
             **of_team.to_json(),
             "untrained": float(first[team].means[0]),
             "best script": [*scripts[team]],
+            "best generation": [generations[team], float(best[team].means[0])],
         }
     return plain

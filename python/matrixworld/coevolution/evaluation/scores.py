@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cache, partial
@@ -15,7 +15,7 @@ from matrixworld import analysis
 from matrixworld._util import checks, readable
 from matrixworld._util.teams import PLURALS
 from matrixworld.analysis import Estimate
-from matrixworld.coevolution.evaluation.held_out import held_out_scripts, opponents_of, plays_in
+from matrixworld.coevolution.evaluation.held_out import opponents_of, scripts_for
 from matrixworld.coevolution.evaluation.held_out_matches import play_held_out
 from matrixworld.coevolution.games.pursuit import Pursuit
 from matrixworld.coevolution.progress import Report, part_of, silent
@@ -28,8 +28,12 @@ from matrixworld.world.policy import Population, Script, TeamPolicy
 SCORE = dict(zip(TEAMS, Pursuit.score_words, strict=True))  # what the score of a team is called
 EPISODES = 100  # episodes of each pair, if nothing else is asked for
 SEED = 0  # seed of the episodes, if nothing else is asked for
-CHOICE_EPISODES = 20
-"""Episodes of each pair by which the best is chosen of many, and of what stands beside scores."""
+BESIDE_EPISODES = 20
+"""Episodes of each pair of what stands beside scores: untrained teams."""
+CHOICE = ((8, 1.0), (16, 0.4), (100, 0.15))
+"""How the best generation is chosen: in each round so many more episodes against each opponent, and
+the share of the generations that plays them, the best ones so far (sequential halving: Karnin,
+Koren and Somekh 2013, "Almost optimal exploration in multi-armed bandits", ICML)."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -142,7 +146,7 @@ def _titled_estimates(scores: Sequence[HeldOutScores]) -> tuple[str, dict[str, E
 def score(
     run: StoredRun,
     *,
-    generation: int | None = -1,
+    generation: int | Mapping[Team, int] | None = -1,
     episodes: int = EPISODES,
     steps: int | None = None,
     seed: int = SEED,
@@ -157,8 +161,9 @@ def score(
     ----------
     run : StoredRun
         The run, which need not be finished.
-    generation : int, optional
-        The generation; negative numbers count from the end, None means all. By default the last.
+    generation : int or mapping of str to int, optional
+        The generation, or that of each team; negative numbers count from the end, None means all.
+        By default the last.
     episodes, seed : int, optional
         Episodes of each pair, at least 2, and their seed, by default the same for all runs.
     world : WorldConfig, optional
@@ -199,7 +204,8 @@ def score(
         if generation is None:
             chosen = [*range(len(archive.genomes))]
         else:
-            chosen = [run.generation(team, generation, "generation")]
+            asked = generation if isinstance(generation, int) else generation[team]
+            chosen = [run.generation(team, asked, "generation")]
         genomes = Population(archive.genomes[chosen], archive.policy)
         opponents, left_out = opponents_in(run, team, world)
         rates = play_held_out(
@@ -230,13 +236,27 @@ def opponents_in(
     return opponents, left_out
 
 
-def best_generations(run: StoredRun) -> dict[Team, int]:
+def best_generations(run: StoredRun, *, threads: int | None = None) -> dict[Team, int]:
     """Return the generation of each team with the highest mean score, the latest of equal ones."""
-    scores = score(run, generation=None, episodes=CHOICE_EPISODES, seed=checks.SEED_MAX)
+    run.check_pursuit("it has no held-out opponents by which the best generation is chosen")
+    world = run.pursuit.world
     best: dict[Team, int] = {}
-    for team, of_team in scores.items():
-        means = of_team.means
-        best[team] = int(np.flatnonzero(means == means.max())[-1])
+    for team in run.settings.learning_teams:
+        archive = cast(Population, run.teams[team])
+        opponents, _ = opponents_in(run, team, world)
+        left = np.arange(len(archive.genomes))
+        sums = np.zeros(len(left))
+        for number, (episodes, share) in enumerate(CHOICE):
+            count = max(1, round(share * len(sums)))
+            left = np.sort(left[np.argsort(sums[left], kind="stable")[-count:]])
+            genomes = Population(archive.genomes[left], archive.policy)
+            # Other episodes than those of any score that is asked for.
+            seed = checks.SEED_MAX - number
+            rates = play_held_out(
+                world, team, genomes, opponents, episodes=episodes, seed=seed, threads=threads
+            )
+            sums[left] += rates.mean(axis=1).sum(axis=1)
+        best[team] = int(left[np.flatnonzero(sums[left] == sums[left].max())[-1]])
     return best
 
 
@@ -244,16 +264,16 @@ def best_generations(run: StoredRun) -> dict[Team, int]:
 def best_scripts(config: WorldConfig, *, episodes: int) -> dict[Team, tuple[Script, float]]:
     """Return the script of each team with the highest mean score in a world, and this score.
 
-    The best of several is partly luck: of equally good scripts, the score tends to be too high.
+    Careful scripts are among them. The best of several is partly luck: of equally good scripts, the
+    score tends to be too high.
     """
     best: dict[Team, tuple[Script, float]] = {}
     for team in TEAMS:
         opponents, _ = opponents_of(team, config)
         means: dict[Script, float] = {}
-        for script in held_out_scripts(team, config.rules):
-            if plays_in(script, config):
-                rates = play_held_out(config, team, script, opponents, episodes=episodes, seed=SEED)
-                means[script] = float(rates.mean(axis=(1, 2))[0])
+        for script in scripts_for(team, config):
+            rates = play_held_out(config, team, script, opponents, episodes=episodes, seed=SEED)
+            means[script] = float(rates.mean(axis=(1, 2))[0])
         script = max(means, key=lambda name: means[name])
         best[team] = (script, means[script])
     return best

@@ -42,17 +42,16 @@ from matrixworld.coevolution.settings.schedules import (
     SelfPlay,
 )
 from matrixworld.coevolution.settings.usual import (
-    BREEDING,
     COURTYARD,
     DEFAULTS,
     EPOCHS,
     HALL,
-    LEARNER,
     PAPER,
     POLICY,
     SCHEDULE,
     Kinds,
     usual,
+    usual_learner,
     usual_of_learner,
 )
 from matrixworld.coevolution.types import TEAMS, Genome, Team
@@ -488,11 +487,13 @@ def kinds_of(chosen: Mapping[str, Any]) -> Kinds:
     symmetric = bool(chosen.get("game.one_population"))
     team: Team = "evader" if chosen.get("schedule.team") == "evader" else "pursuer"
     epochs: Any = chosen.get("schedule.epochs")
+    policy = _class_of(PolicySettings, chosen.get("policy"), POLICY[defaults])
+    learner = usual_learner(defaults, policy, texts=texts)
     return Kinds(
         defaults,
         schedule=_class_of(Schedule, chosen.get("schedule"), HALL if symmetric else SCHEDULE),
-        learner=_class_of(Learner, chosen.get("learner", BREEDING if texts else LEARNER), OWN),
-        policy=_class_of(PolicySettings, chosen.get("policy"), POLICY[defaults]),
+        learner=_class_of(Learner, chosen.get("learner", learner), OWN),
+        policy=policy,
         team=team,
         epochs=epochs if isinstance(epochs, int) and 0 < epochs <= INT_MAX else EPOCHS[team],
         has_map=isinstance(chosen.get("world.obstacles"), str | list),

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from matrixworld.coevolution.games.policies import Cells, Ratings
 from matrixworld.coevolution.learners import (
     ActorCritic,
+    CmaEs,
     EvolutionStrategy,
     GeneticAlgorithm,
     OwnLearner,
@@ -29,9 +30,10 @@ policies that one can read race in it, and a race takes seconds."""
 
 SCHEDULE = "generalist-generalist"
 HALL = AtOnce.kind  # of games of one population
-LEARNER = "es"
-BREEDING = "breeding"  # of games whose genomes are objects
 POLICY = {PAPER: "cells", COURTYARD: "rating"}
+LEARNER = "es"
+OF_RATINGS = "cma"  # in the courtyard: it takes few genes
+BREEDING = "breeding"  # of games whose genomes are objects
 """The names of sections for which no other one is chosen."""
 EPOCHS: dict[Team, int] = {"pursuer": 6000, "evader": 4000}
 """Epochs of a team that learns alone."""
@@ -51,6 +53,13 @@ class Kinds(NamedTuple):
     exact: bool  # whether equal genomes of it always have equal scores
     texts: bool  # whether its genomes are objects
     symmetric: bool  # whether one population plays both sides
+
+
+def usual_learner(defaults: str, policy: Any, *, texts: bool) -> str:
+    """Return the name of the learner if no other one is chosen."""
+    if texts:
+        return BREEDING
+    return OF_RATINGS if defaults == COURTYARD and issubclass(policy, Ratings) else LEARNER
 
 
 def usual(kinds: Kinds) -> dict[str, Any]:
@@ -103,6 +112,8 @@ def usual_of_learner(kinds: Kinds) -> dict[str, Any]:
             values["anneal"] = True
     if kinds.defaults == COURTYARD and issubclass(kinds.learner, EvolutionStrategy):
         values |= {"population": 12, "sigma": 0.3, "learning_rate": 0.0025}
+    if kinds.defaults == COURTYARD and issubclass(kinds.learner, CmaEs):
+        values |= {"population": 12}
     return values
 
 
@@ -136,13 +147,23 @@ def _of_gradients(kinds: Kinds) -> dict[str, Any]:
 
 
 def _of_the_courtyard(kinds: Kinds) -> dict[str, Any]:
-    """Return the defaults of what ``matrixworld evolve`` plays."""
+    """Return the defaults of what ``matrixworld evolve`` plays.
+
+    CMA-ES has half of the epochs and four times the episodes, since it trusts each of its samples:
+    `evolution/learning_or_competing.py`.
+    """
     values: dict[str, Any] = {"world": COURTYARD, "policy": POLICY[COURTYARD]}
+    epochs = 20
+    if issubclass(kinds.learner, CmaEs):
+        values |= {"learner": OF_RATINGS, "match_episodes": 4}
+        epochs = 10
     if kinds.policy is Ratings:
         values["policy.initial_weight"] = 0.2
     if issubclass(kinds.schedule, InTurns):
-        values["schedule.pursuer_epochs"] = 20
-        values["schedule.evader_epochs"] = 20
+        values["schedule.pursuer_epochs"] = epochs
+        values["schedule.evader_epochs"] = epochs
     if issubclass(kinds.schedule, AtOnce):
-        values["schedule.joint_epochs"] = 10
+        values["schedule.joint_epochs"] = epochs // 2
+    if issubclass(kinds.schedule, Against) and issubclass(kinds.learner, CmaEs):
+        values |= {"schedule.epochs": 300, "schedule.archive_every": 10}
     return values
