@@ -39,7 +39,7 @@ int stride_of(const World& world, int agent, int steps) {
 
 namespace {
 
-constexpr std::size_t kGrounds = 4096;  // that are kept: 512 KiB
+constexpr std::uint8_t bit_of(int side) { return static_cast<std::uint8_t>(1 << (side - 1)); }
 
 // Places of a near cell, and of any other.
 int near_place(int row, int col) {
@@ -71,9 +71,7 @@ MoveInputs::MoveInputs(const Config& config)
       crowd_(config),
       sight_(config.fov),
       places_(static_cast<std::size_t>(config.n_agents())),
-      strides_(static_cast<std::size_t>(config.n_agents())),
-      cases_(Grid(config.rows, config.cols), config.fov),
-      ground_(kGrounds) {
+      strides_(static_cast<std::size_t>(config.n_agents())) {
     constexpr int kCharge = 1 << 14;
     for (std::size_t i = 0; i < view_.size(); ++i) {
         SeenCell& seen = view_[i];
@@ -94,6 +92,14 @@ MoveInputs::MoveInputs(const Config& config)
     for (int move = 0; move < n_moves_; ++move) {
         const int row = kRowStep[move], col = kColStep[move];
         steps_[move] = {row, col, row * (config.fov + 2) + col};
+        for (int side = 1; side < n_moves_; ++side) {
+            const int rows = std::abs(row + kRowStep[side]), cols = std::abs(col + kColStep[side]);
+            if (std::max(rows, cols) > half_) out_of_view_[move] |= bit_of(side);
+        }
+    }
+    for (int sides = 0; sides < 256; ++sides) {
+        const int n_open = count_bits(sides & ((1 << (n_moves_ - 1)) - 1));
+        exits_[sides] = static_cast<float>(n_open) / static_cast<float>(n_moves_ - 1);
     }
     for (const Team team : {Team::Pursuer, Team::Evader}) {
         const RightOfWay ways(config, team);
@@ -144,7 +150,31 @@ void MoveInputs::gather(const World& world, const Occupancy& occupancy) {
     if (wants(kAhead)) draw_strides();
     if (terrain_ == world.shared_terrain()) return;
     terrain_ = world.shared_terrain();
-    ++map_;
+    survey(*terrain_);
+}
+
+// All cells at once, side by side in memory. There the last cells of a row lie beside the first of the
+// next one, but the border is between them.
+void MoveInputs::survey(const Terrain& terrain) {
+    const Grid& grid = terrain.grid;
+    const auto n_cells = static_cast<std::size_t>(grid.n_cells());
+    for (auto* table : {&open_, &room_, &closed_}) table->assign(n_cells, 0);
+    std::uint8_t *const open = open_.data(), *const room = room_.data();
+    std::uint8_t* const closed = closed_.data();  // 0 if no obstacle is at most k cells away
+    const std::uint8_t* const kind = terrain.kind.data();
+    const int first = grid.cell(0, 0), last = grid.cell(grid.rows() - 1, grid.cols() - 1);
+    for (int side = 1; side < n_moves_; ++side) {
+        std::uint8_t* const back = open + grid.delta(kOpposite[side]);
+        const std::uint8_t bit = bit_of(side);
+        for (int i = first; i <= last; ++i) back[i] |= kind[i] == kFree ? bit : 0;
+    }
+    for (int k = 0; k < half_ && 2 * k < grid.rows(); ++k) {
+        const int south = grid.cell(k, 0) - first;
+        for (int i = first + south; i <= last - south; ++i) {
+            closed[i] |= kind[i - k] | kind[i + k] | kind[i - south] | kind[i + south];
+            room[i] += closed[i] == 0;
+        }
+    }
 }
 
 void MoveInputs::draw_strides() {
@@ -166,16 +196,7 @@ void MoveInputs::look(int agent, MoveRows& rows) {
     row_ = world_->grid().row(cell);
     col_ = world_->grid().col(cell);
     const Team team = world_->team(agent);
-    const int place = terrain_->has_obstacles ? cell : cases_.number(row_, col_);
-    Ground& ground = ground_[static_cast<std::size_t>(place) % kGrounds];
-    if (ground.place != place || ground.map != map_) {
-        survey(ground);
-        ground.place = place;
-        ground.map = map_;
-    }
-    rows.blocked = rows.forbidden = ground.blocked;
-    std::memcpy(rows.of[kExits], ground.exits, sizeof(ground.exits));
-    std::memcpy(rows.of[kRoom], ground.room, sizeof(ground.room));
+    look_at_ground(cell, rows);
     look_.place = places_[agent];
     for (const int t : {0, 1}) {
         const Team seen = t == 0 ? team : opponent(team);
@@ -200,27 +221,15 @@ void MoveInputs::look(int agent, MoveRows& rows) {
 }
 
 // What is out of view is not known, and counts as free.
-void MoveInputs::survey(Ground& ground) const {
-    const Plane& blocked = terrain_->blocked;
-    const auto is_blocked = [&](int row, int col) {
-        return std::max(std::abs(row), std::abs(col)) <= half_ &&
-               *blocked.window(row_ + row, col_ + col);
-    };
-    ground.blocked = 0;
+void MoveInputs::look_at_ground(int cell, MoveRows& rows) const {
+    const Grid& grid = world_->grid();
+    const std::uint32_t sides = (1u << (n_moves_ - 1)) - 1;
+    const std::uint32_t open = open_[cell] | out_of_view_[0];
+    rows.blocked = rows.forbidden = (~open & sides) << 1;
     for (int move = 0; move < n_moves_; ++move) {
-        const int row = kRowStep[move], col = kColStep[move];
-        int n_exits = 0, room = half_;
-        for (int side = 1; side < n_moves_; ++side) {
-            n_exits += !is_blocked(row + kRowStep[side], col + kColStep[side]);
-        }
-        for (int side = 1; side < kCompassMoves; ++side) {
-            for (int k = 0; k < room; ++k) {
-                if (is_blocked(row + k * kRowStep[side], col + k * kColStep[side])) room = k;
-            }
-        }
-        ground.room[move] = look_.unit * static_cast<float>(room);
-        ground.exits[move] = static_cast<float>(n_exits) / static_cast<float>(n_moves_ - 1);
-        if (move > 0 && is_blocked(row, col)) ground.blocked |= 1u << move;
+        const int there = cell + grid.delta(move);
+        rows.of[kExits][move] = exits_[open_[there] | out_of_view_[move]];
+        rows.of[kRoom][move] = look_.unit * static_cast<float>(room_[there]);
     }
 }
 

@@ -55,18 +55,10 @@ class MoveInputs {
     void write(const World& world, const Occupancy& occupancy, float* out);
 
   private:
-    // What depends on the agent's cell alone, as it was last found.
-    struct alignas(64) Ground {
-        float exits[12];  // by move
-        float room[12];
-        std::uint32_t blocked;
-        int place = -1;
-        int map = 0;
-    };
-
     bool wants(Input input) const { return wanted_ >> input & 1; }
+    void survey(const Terrain& terrain);
     void draw_strides();
-    void survey(Ground& ground) const;
+    void look_at_ground(int cell, MoveRows& rows) const;
     void list_reserved(Team own);
 
     const Config& config_;
@@ -92,11 +84,13 @@ class MoveInputs {
     EpisodeKey stride_key_;
     int stride_ = -1;  // number of the stride
 
+    // Of the terrain, by cell: the free cells around it as bits by side, and its room, in cells.
     std::shared_ptr<const Terrain> terrain_;
-    int map_ = 0;  // number of the terrain
-    BorderCases cases_;
-    // By cell, or without obstacles by what is seen of the border; several share an entry in turn.
-    std::vector<Ground> ground_;
+    std::vector<std::uint8_t> open_;
+    std::vector<std::uint8_t> room_;
+    std::vector<std::uint8_t> closed_;               // while a terrain is surveyed
+    std::uint8_t out_of_view_[kDiagonalMoves] = {};  // by move: sides of its cell, as bits
+    float exits_[256];                               // by free sides, as bits
 
     int row_ = 0;  // of the agent that looks
     int col_ = 0;
