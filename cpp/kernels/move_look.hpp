@@ -29,6 +29,9 @@ enum Input : int {
     kMustYield,
     kAhead,
     kSearch,
+    kEscapes,
+    kOpposed,
+    kParity,
     kInputs
 };
 
@@ -45,10 +48,27 @@ struct alignas(64) SeenCell {
     float moves[kMoveLanes];  // from the cell of each move
     float
         charge[kMoveLanes];  // 1 / (1 + moves)^2, rounded down so that sums are exact in any order
-    int row;                 // from the agent
-    int col;
-    int place;  // in MoveLook::taken
-    int near;   // place among the near cells; kNearCells if it is none
+    int cell;                // in the grid, from the agent's
+    int spot;                // in MoveLook::apart
+    int near;                // place among the near cells; kNearCells if it is none
+    std::uint32_t unseen;    // the cells of its moves that are out of view, as bits
+};
+
+// The cell of a move of the agent.
+struct Step {
+    int cell;
+    int spot;
+    int index;  // in MoveLook::view
+    std::uint32_t unseen;
+};
+
+// What a cell is to another one.
+struct Apart {
+    int moves;
+    std::uint32_t
+        reached;  // the cells of the other's moves that are at most one move from it, as bits
+    float row;    // direction from the other, of length 1; zeros on the same cell
+    float col;
 };
 
 // Cells on which an agent sees a team.
@@ -58,36 +78,27 @@ struct SeenCells {
 };
 
 struct MoveLook {
-    static constexpr std::uint64_t kOutOfView = ~std::uint64_t{0};
-    struct Step {
-        int row;
-        int col;
-        int place;
-    };
-
     // Of a configuration.
     int fov;
     int n_moves;
-    bool diagonal;
     float unit;            // 1 / half a view
     const SeenCell* view;  // by cell of the view
     const Step* steps;     // by move
-    // By cell of the view and one around it: the number of the look that found a teammate there.
+    const Apart* apart;    // by difference of the spots of two cells
+    const float* shares;   // n / n_moves, by n
+    // By cell of the view: the number of the look that found a teammate there.
     std::uint64_t* taken;
 
-    // Of the inputs that are wanted.
-    bool asks_claims;
-    bool asks_sides;
+    std::uint32_t wanted;  // inputs, as bits
 
     // Of a moment; without positions (0 agents) the seen cells are given.
     Positions positions;
+    int n_pursuers;  // the first of the positions
 
     // Of an agent. Teams are its own and the other one.
-    int place;                        // among the positions
-    int first[2];                     // by team: place of its channel in the flattened view
-    const std::uint64_t* of_team[2];  // by team: its agents, as bits
-    const std::uint8_t* walls;        // around its cell
-    std::ptrdiff_t walls_stride;
+    bool pursues;
+    int place;                  // among the positions
+    const std::uint16_t* open;  // from its cell: which moves lead to no obstacle, as bits
     const std::uint16_t (*forbids)[kNearCells + 1];  // by team and near cell; behind them 0
     std::uint64_t number;                            // of this look
 

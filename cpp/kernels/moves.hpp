@@ -48,46 +48,121 @@ inline void add_to(ByMove<kParts>& row, const float* numbers) {
     for (int i = 0; i < kParts; ++i) row.parts[i] += load<Half>(numbers + i * kLanesOf<Half>);
 }
 
-inline int magnitude(int x) { return x < 0 ? -x : x; }
-
-inline int moves_apart(const SeenCell& a, const SeenCell& b, bool diagonal) {
-    const int rows = magnitude(a.row - b.row), cols = magnitude(a.col - b.col);
-    return !diagonal ? rows + cols : rows > cols ? rows : cols;
+template <typename Each>
+inline void visit(SeenCells seen, const Each& each) {
+    for (int i = 0; i < seen.n; ++i) each(*seen.cells[i]);
 }
 
-// `each(team, visit)` visits the cells on which the agent sees a team: its own, or the other one.
-template <int kParts, typename Each>
-void look_at_moves(const MoveLook& look, const Each& each) {
+inline bool wants(const MoveLook& look, Input input) { return look.wanted >> input & 1; }
+
+// ---- Holding an evader --------------------------------------------------------------------------
+
+// What is to an agent on `from` its nearest of some cells: the moves there.
+inline int least_moves(const MoveLook& look, int from, SeenCells to) {
+    int least = 2 * look.fov;  // more than there are in a view
+    visit(to, [&](const SeenCell& seen) {
+        const int moves = look.apart[seen.spot - from].moves;
+        least = moves < least ? moves : least;
+    });
+    return least;
+}
+
+inline std::uint32_t reached(const MoveLook& look, int evader, SeenCells by) {
+    std::uint32_t moves = 0;
+    visit(by, [&](const SeenCell& seen) { moves |= look.apart[seen.spot - evader].reached; });
+    return moves;
+}
+
+// (1 - cosine) / 2 of the directions from an evader to two pursuers.
+inline float opposite(const MoveLook& look, int evader, int pursuer, int other) {
+    const Apart &a = look.apart[pursuer - evader], &b = look.apart[other - evader];
+    return (1.0f - (a.row * b.row + a.col * b.col)) * 0.5f;
+}
+
+// How a pursuer and its teammates hold the evader nearest to it; of several, the best.
+inline void look_at_nearest_evader(const MoveLook& look, SeenCells teammates, SeenCells evaders) {
+    float (&escapes)[kMoveLanes] = look.rows->of[kEscapes];
+    float (&sides)[kMoveLanes] = look.rows->of[kOpposed];
+    for (int move = 0; move < look.n_moves; ++move) escapes[move] = 1, sides[move] = 0;
+    const int nearest = least_moves(look, 0, evaders);
+    visit(evaders, [&](const SeenCell& evader) {
+        if (look.apart[evader.spot].moves != nearest) return;
+        const std::uint32_t open = look.open[evader.cell] | evader.unseen;
+        const std::uint32_t left = open & ~reached(look, evader.spot, teammates);
+        for (int move = 0; move < look.n_moves; ++move) {
+            const Apart& own = look.apart[look.steps[move].spot - evader.spot];
+            const float share = look.shares[count_bits(left & ~own.reached)];
+            escapes[move] = share < escapes[move] ? share : escapes[move];
+        }
+        const int closest = least_moves(look, evader.spot, teammates);
+        visit(teammates, [&](const SeenCell& mate) {
+            if (look.apart[mate.spot - evader.spot].moves != closest) return;
+            for (int move = 0; move < look.n_moves; ++move) {
+                const float side = opposite(look, evader.spot, look.steps[move].spot, mate.spot);
+                sides[move] = side > sides[move] ? side : sides[move];
+            }
+        });
+    });
+}
+
+// How pursuers hold an evader.
+inline void look_at_pursuers(const MoveLook& look, SeenCells pursuers) {
+    float (&escapes)[kMoveLanes] = look.rows->of[kEscapes];
+    float (&sides)[kMoveLanes] = look.rows->of[kOpposed];
+    for (int move = 0; move < look.n_moves; ++move) {
+        const Step& step = look.steps[move];
+        const std::uint32_t open = look.open[step.cell] | step.unseen;
+        escapes[move] = look.shares[count_bits(open & ~reached(look, step.spot, pursuers))];
+        sides[move] = 0;
+    }
+    const int nearest = least_moves(look, 0, pursuers);
+    visit(pursuers, [&](const SeenCell& first) {
+        if (look.apart[first.spot].moves != nearest) return;
+        int next = 2 * look.fov;
+        visit(pursuers, [&](const SeenCell& second) {
+            const int moves = look.apart[second.spot].moves;
+            if (&second != &first && moves < next) next = moves;
+        });
+        visit(pursuers, [&](const SeenCell& second) {
+            if (&second == &first || look.apart[second.spot].moves != next) return;
+            for (int move = 0; move < look.n_moves; ++move) {
+                const float side = opposite(look, look.steps[move].spot, first.spot, second.spot);
+                sides[move] = side > sides[move] ? side : sides[move];
+            }
+        });
+    });
+}
+
+// ---- All inputs ---------------------------------------------------------------------------------
+
+template <int kParts>
+void look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells adversaries) {
     const auto nobody = all<kParts>(static_cast<float>(look.fov));
     auto teammate = nobody, adversary = nobody, unclaimed = nobody, open_side = nobody;
     auto pressure = all<kParts>(0);
     std::uint32_t forbidden = 0;
-    each(0, [&](const SeenCell& seen) {
+    visit(teammates, [&](const SeenCell& seen) {
         keep_least(teammate, seen.moves);
-        look.taken[seen.place] = look.number;
+        look.taken[&seen - look.view] = look.number;
         forbidden |= look.forbids[0][seen.near];
     });
+    const bool asks_claims = wants(look, kUnclaimed), asks_sides = wants(look, kOpenSide);
     bool any_unclaimed = false;
-    each(1, [&](const SeenCell& seen) {
+    visit(adversaries, [&](const SeenCell& seen) {
         keep_least(adversary, seen.moves);
         add_to(pressure, seen.charge);
         forbidden |= look.forbids[1][seen.near];
-        if (look.asks_claims) {
-            const int own = static_cast<int>(seen.moves[0]);
-            bool claimed = false;
-            each(0, [&](const SeenCell& mate) {
-                claimed |= moves_apart(mate, seen, look.diagonal) < own;
-            });
+        if (asks_claims) {
+            const bool claimed =
+                least_moves(look, seen.spot, teammates) < look.apart[seen.spot].moves;
             if (!claimed) keep_least(unclaimed, seen.moves);
             any_unclaimed |= !claimed;
         }
-        for (int side = 1; look.asks_sides && side < look.n_moves; ++side) {
-            const MoveLook::Step& step = look.steps[side];
-            const std::uint64_t taken = look.taken[seen.place + step.place];
-            if (taken == look.number || taken == MoveLook::kOutOfView) continue;
-            const int row = seen.row + step.row, col = seen.col + step.col;
-            if (look.walls[static_cast<std::ptrdiff_t>(row) * look.walls_stride + col]) continue;
-            keep_least(open_side, (&seen + step.row * look.fov + step.col)->moves);
+        if (!asks_sides) return;
+        std::uint32_t sides = look.open[seen.cell] & ~seen.unseen & ~1u;
+        for (; sides; sides &= sides - 1) {
+            const SeenCell* const side = &seen + look.steps[lowest_bit(sides)].index;
+            if (look.taken[side - look.view] != look.number) keep_least(open_side, side->moves);
         }
     });
     auto& out = look.rows->of;
@@ -97,34 +172,51 @@ void look_at_moves(const MoveLook& look, const Each& each) {
     store_moves(out[kUnclaimed], any_unclaimed ? unclaimed : adversary, look.unit);
     store_moves(out[kOpenSide], open_side, look.unit);
     look.rows->forbidden |= forbidden;
+    if (wants(look, kParity)) {
+        for (int move = 0; move < look.n_moves; ++move) {
+            const int moves = least_moves(look, look.steps[move].spot, adversaries);
+            out[kParity][move] = static_cast<float>(moves & 1);  // without one it is even
+        }
+    }
+    if (!wants(look, kEscapes) && !wants(look, kOpposed)) return;
+    if (look.pursues) {
+        look_at_nearest_evader(look, teammates, adversaries);
+    } else {
+        look_at_pursuers(look, adversaries);
+    }
 }
 
+// Pursuers are the first of the positions.
 template <int kParts, int kWords>
 void look_from_positions(const MoveLook& at) {
     Seen<kWords> seen = look<kWords>(at.positions, at.place, at.fov);
     std::uint64_t shared = 0;
     for (int i = 0; i < kWords; ++i) shared |= seen.words[i] & at.positions.shared[i];
     if (shared) seen = without_duplicates(at.positions, seen);
-    look_at_moves<kParts>(at, [&](int team, const auto& visit) {
-        const std::int32_t* cells = at.positions.cells;
-        const int first = seen.corner + at.first[team];
-        for (int i = 0; i < kWords; ++i, cells += kPositionPad) {
-            std::uint64_t bits = seen.words[i] & at.of_team[team][i];
-            for (; bits; bits &= bits - 1) visit(at.view[cells[lowest_bit(bits)] - first]);
+    const SeenCell* cells[kWords * kPositionPad];
+    int n = 0, n_pursuers = 0;
+    for (int i = 0; i < kWords; ++i) {
+        for (std::uint64_t bits = seen.words[i]; bits; bits &= bits - 1) {
+            const int place = i * kPositionPad + lowest_bit(bits);
+            const bool pursues = place < at.n_pursuers;
+            const int first = seen.corner + (pursues ? at.fov * at.fov : 0);
+            cells[n++] = at.view + (at.positions.cells[place] - first);
+            n_pursuers += pursues;
         }
-    });
+    }
+    const SeenCells pursuers{cells, n_pursuers}, evaders{cells + n_pursuers, n - n_pursuers};
+    if (at.pursues) {
+        look_at_moves<kParts>(at, pursuers, evaders);
+    } else {
+        look_at_moves<kParts>(at, evaders, pursuers);
+    }
 }
 
 template <int kParts>
 void look_around(const MoveLook& at, SeenCells teammates, SeenCells adversaries) {
     constexpr int kMost = kMaxPositions / kPositionPad;
     const int n = at.positions.n_agents;
-    if (n == 0) {
-        return look_at_moves<kParts>(at, [&](int team, const auto& visit) {
-            const SeenCells& cells = team == 0 ? teammates : adversaries;
-            for (int i = 0; i < cells.n; ++i) visit(*cells.cells[i]);
-        });
-    }
+    if (n == 0) return look_at_moves<kParts>(at, teammates, adversaries);
     return n <= kPositionPad ? look_from_positions<kParts, 1>(at)
                              : look_from_positions<kParts, kMost>(at);
 }

@@ -1,6 +1,7 @@
 #include "observe/inputs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 
@@ -28,6 +29,17 @@ const InputText (&input_texts()) [kInputs] {
         {"search",
          "1 if it leads on along the way on which an agent of team-surrounder searches the grid",
          "", 1},
+        {"escapes",
+         "share of the cells that an evader may be on after its next move which hold no obstacle "
+         "and which no pursuer in view reaches in one move: of the nearest adversary, or an "
+         "evader's own",
+         "", 1},
+        {"opposite",
+         "(1 - cosine) / 2 of the angle at the nearest adversary between the agent and the "
+         "teammate "
+         "nearest to it; for an evader, of the angle at itself between its two nearest adversaries",
+         "", 1},
+        {"parity", "1 if the distance to the nearest adversary is odd", "", 1},
     };
     return all;
 }
@@ -38,8 +50,6 @@ int stride_of(const World& world, int agent, int steps) {
 }
 
 namespace {
-
-constexpr std::uint8_t bit_of(int side) { return static_cast<std::uint8_t>(1 << (side - 1)); }
 
 // Places of a near cell, and of any other.
 int near_place(int row, int col) {
@@ -67,39 +77,66 @@ MoveInputs::MoveInputs(const Config& config)
       n_moves_(config.n_actions()),
       half_(config.fov / 2),
       view_(static_cast<std::size_t>(config.fov) * config.fov),
-      taken_(static_cast<std::size_t>(config.fov + 2) * (config.fov + 2), MoveLook::kOutOfView),
+      taken_(view_.size(), 0),
       crowd_(config),
       sight_(config.fov),
       places_(static_cast<std::size_t>(config.n_agents())),
       strides_(static_cast<std::size_t>(config.n_agents())) {
     constexpr int kCharge = 1 << 14;
+    const int farthest = 2 * half_ + 1, side = 2 * farthest + 1;  // rows between two cells
+    const Grid grid(config.rows, config.cols);
+    const auto cell = [&](int row, int col) { return grid.cell(row, col) - grid.cell(0, 0); };
+    const auto spot = [&](int row, int col) { return row * side + col; };
+    const auto distance = [&](int rows, int cols) {
+        rows = std::abs(rows), cols = std::abs(cols);
+        return config.diagonal ? std::max(rows, cols) : rows + cols;
+    };
+    const auto unseen = [&](int row, int col) {
+        std::uint32_t moves = 0;
+        for (int move = 0; move < n_moves_; ++move) {
+            const int rows = std::abs(row + kRowStep[move]), cols = std::abs(col + kColStep[move]);
+            if (std::max(rows, cols) > half_) moves |= 1u << move;
+        }
+        return moves;
+    };
     for (std::size_t i = 0; i < view_.size(); ++i) {
         SeenCell& seen = view_[i];
-        seen.row = static_cast<int>(i) / config.fov - half_;
-        seen.col = static_cast<int>(i) % config.fov - half_;
-        seen.near = near_place(seen.row, seen.col);
-        seen.place = (seen.row + half_ + 1) * (config.fov + 2) + seen.col + half_ + 1;
-        taken_[seen.place] = 0;
+        const int row = static_cast<int>(i) / config.fov - half_;
+        const int col = static_cast<int>(i) % config.fov - half_;
+        seen.cell = cell(row, col);
+        seen.spot = spot(row, col);
+        seen.near = near_place(row, col);
+        seen.unseen = unseen(row, col);
         for (int move = 0; move < n_moves_; ++move) {
-            const int rows = std::abs(seen.row - kRowStep[move]);
-            const int cols = std::abs(seen.col - kColStep[move]);
-            const int moves = config.diagonal ? std::max(rows, cols) : rows + cols;
+            const int moves = distance(row - kRowStep[move], col - kColStep[move]);
             seen.moves[move] = static_cast<float>(moves);
             seen.charge[move] = static_cast<float>(kCharge / ((1 + moves) * (1 + moves)));
             seen.charge[move] /= kCharge;
         }
     }
-    for (int move = 0; move < n_moves_; ++move) {
-        const int row = kRowStep[move], col = kColStep[move];
-        steps_[move] = {row, col, row * (config.fov + 2) + col};
-        for (int side = 1; side < n_moves_; ++side) {
-            const int rows = std::abs(row + kRowStep[side]), cols = std::abs(col + kColStep[side]);
-            if (std::max(rows, cols) > half_) out_of_view_[move] |= bit_of(side);
+    for (int row = -farthest; row <= farthest; ++row) {
+        for (int col = -farthest; col <= farthest; ++col) {
+            Apart& apart = apart_.emplace_back();
+            apart.moves = distance(row, col);
+            for (int move = 0; move < n_moves_; ++move) {
+                const bool is_near = distance(row - kRowStep[move], col - kColStep[move]) <= 1;
+                apart.reached |= std::uint32_t{is_near} << move;
+            }
+            const double length = std::sqrt(static_cast<double>(row * row + col * col));
+            apart.row = length > 0 ? static_cast<float>(row / length) : 0;
+            apart.col = length > 0 ? static_cast<float>(col / length) : 0;
         }
     }
-    for (int sides = 0; sides < 256; ++sides) {
-        const int n_open = count_bits(sides & ((1 << (n_moves_ - 1)) - 1));
-        exits_[sides] = static_cast<float>(n_open) / static_cast<float>(n_moves_ - 1);
+    for (int move = 0; move < n_moves_; ++move) {
+        const int row = kRowStep[move], col = kColStep[move];
+        steps_[move] = {cell(row, col), spot(row, col), row * config.fov + col, unseen(row, col)};
+    }
+    for (int n = 0; n <= n_moves_; ++n) {
+        shares_[n] = static_cast<float>(n) / static_cast<float>(n_moves_);
+    }
+    for (std::uint32_t moves = 0; moves < 1u << kDiagonalMoves; ++moves) {
+        const int n_open = count_bits(moves & ((1u << n_moves_) - 1) & ~1u);
+        exits_[moves] = static_cast<float>(n_open) / static_cast<float>(n_moves_ - 1);
     }
     for (const Team team : {Team::Pursuer, Team::Evader}) {
         const RightOfWay ways(config, team);
@@ -116,19 +153,16 @@ MoveInputs::MoveInputs(const Config& config)
     }
     look_.fov = config.fov;
     look_.n_moves = n_moves_;
-    look_.diagonal = config.diagonal;
     look_.unit = 2.0f / static_cast<float>(config.fov);
     look_.view = view_.data();
     look_.steps = steps_;
+    look_.apart = apart_.data() + spot(farthest, farthest);  // the middle
+    look_.shares = shares_;
     look_.taken = taken_.data();
     want((1u << kInputs) - 1);
 }
 
-void MoveInputs::want(std::uint32_t inputs) {
-    wanted_ = inputs;
-    look_.asks_claims = wants(kUnclaimed);
-    look_.asks_sides = wants(kOpenSide);
-}
+void MoveInputs::want(std::uint32_t inputs) { look_.wanted = inputs; }
 
 void MoveInputs::gather(const World& world, const Occupancy& occupancy) {
     world_ = &world;
@@ -138,14 +172,8 @@ void MoveInputs::gather(const World& world, const Occupancy& occupancy) {
         look_.positions = crowd_.positions();
         const std::vector<int>& living = world.living();
         for (std::size_t i = 0; i < living.size(); ++i) places_[living[i]] = static_cast<int>(i);
-        const int n_pursuers = world.n_living(Team::Pursuer);
-        for (int i = 0; i < kMaxPositions / kPositionPad; ++i) {
-            const int n = std::min(std::max(n_pursuers - i * kPositionPad, 0), kPositionPad);
-            of_team_[0][i] = n < kPositionPad ? (std::uint64_t{1} << n) - 1 : ~std::uint64_t{0};
-            of_team_[1][i] = ~of_team_[0][i];
-        }
+        look_.n_pursuers = world.n_living(Team::Pursuer);
     }
-    look_.walls_stride = world.terrain().blocked.stride();
     order_ = RightOfWay::order(world.steps());
     if (wants(kAhead)) draw_strides();
     if (terrain_ == world.shared_terrain()) return;
@@ -158,15 +186,17 @@ void MoveInputs::gather(const World& world, const Occupancy& occupancy) {
 void MoveInputs::survey(const Terrain& terrain) {
     const Grid& grid = terrain.grid;
     const auto n_cells = static_cast<std::size_t>(grid.n_cells());
-    for (auto* table : {&open_, &room_, &closed_}) table->assign(n_cells, 0);
-    std::uint8_t *const open = open_.data(), *const room = room_.data();
-    std::uint8_t* const closed = closed_.data();  // 0 if no obstacle is at most k cells away
+    open_.assign(n_cells, 0);
+    room_.assign(n_cells, 0);
+    closed_.assign(n_cells, 0);  // 0 if no obstacle is at most k cells away
+    std::uint8_t *const room = room_.data(), *const closed = closed_.data();
     const std::uint8_t* const kind = terrain.kind.data();
     const int first = grid.cell(0, 0), last = grid.cell(grid.rows() - 1, grid.cols() - 1);
-    for (int side = 1; side < n_moves_; ++side) {
-        std::uint8_t* const back = open + grid.delta(kOpposite[side]);
-        const std::uint8_t bit = bit_of(side);
-        for (int i = first; i <= last; ++i) back[i] |= kind[i] == kFree ? bit : 0;
+    for (int move = 0; move < n_moves_; ++move) {
+        std::uint16_t* const from = open_.data() - grid.delta(move);
+        for (int i = first; i <= last; ++i) {
+            from[i] |= static_cast<std::uint16_t>((kind[i] == kFree) << move);
+        }
     }
     for (int k = 0; k < half_ && 2 * k < grid.rows(); ++k) {
         const int south = grid.cell(k, 0) - first;
@@ -193,21 +223,15 @@ void MoveInputs::draw_strides() {
 
 void MoveInputs::look(int agent, MoveRows& rows) {
     const int cell = world_->cell(agent);
-    row_ = world_->grid().row(cell);
-    col_ = world_->grid().col(cell);
     const Team team = world_->team(agent);
     look_at_ground(cell, rows);
+    look_.pursues = team == Team::Pursuer;
     look_.place = places_[agent];
-    for (const int t : {0, 1}) {
-        const Team seen = t == 0 ? team : opponent(team);
-        look_.first[t] = channel(seen) * static_cast<int>(view_.size());
-        look_.of_team[t] = of_team_[static_cast<int>(seen)];
-    }
-    look_.walls = world_->terrain().blocked.window(row_, col_);
+    look_.open = open_.data() + cell;
     look_.forbids = forbids_[static_cast<int>(team)][order_];
     look_.rows = &rows;
     ++look_.number;
-    if (look_.positions.n_agents == 0) list_reserved(team);
+    if (look_.positions.n_agents == 0) list_reserved(cell, team);
     const auto cells = [&](int t) {
         return SeenCells{seen_[t].data(), static_cast<int>(seen_[t].size())};
     };
@@ -222,25 +246,24 @@ void MoveInputs::look(int agent, MoveRows& rows) {
 
 // What is out of view is not known, and counts as free.
 void MoveInputs::look_at_ground(int cell, MoveRows& rows) const {
-    const Grid& grid = world_->grid();
-    const std::uint32_t sides = (1u << (n_moves_ - 1)) - 1;
-    const std::uint32_t open = open_[cell] | out_of_view_[0];
-    rows.blocked = rows.forbidden = (~open & sides) << 1;
+    const std::uint32_t moves = (1u << n_moves_) - 1;
+    rows.blocked = rows.forbidden = ~(open_[cell] | steps_[0].unseen) & moves & ~1u;
     for (int move = 0; move < n_moves_; ++move) {
-        const int there = cell + grid.delta(move);
-        rows.of[kExits][move] = exits_[open_[there] | out_of_view_[move]];
+        const int there = cell + steps_[move].cell;
+        rows.of[kExits][move] = exits_[open_[there] | steps_[move].unseen];
         rows.of[kRoom][move] = look_.unit * static_cast<float>(room_[there]);
     }
 }
 
 // Among very many agents, the cells of the view are visited.
-void MoveInputs::list_reserved(Team own) {
+void MoveInputs::list_reserved(int at, Team own) {
     const Grid& grid = world_->grid();
+    const int row = grid.row(at), col = grid.col(at);
     const ReservationTable reservations = occupancy_->reservations();
     for (auto& seen : seen_) seen.clear();
-    for (int r = std::max(-half_, -row_); r <= std::min(half_, grid.rows() - 1 - row_); ++r) {
-        for (int c = std::max(-half_, -col_); c <= std::min(half_, grid.cols() - 1 - col_); ++c) {
-            const int cell = grid.cell(row_ + r, col_ + c);
+    for (int r = std::max(-half_, -row); r <= std::min(half_, grid.rows() - 1 - row); ++r) {
+        for (int c = std::max(-half_, -col); c <= std::min(half_, grid.cols() - 1 - col); ++c) {
+            const int cell = grid.cell(row + r, col + c);
             if (reservations.empty(cell)) continue;
             const SeenCell* const seen = &view_[(r + half_) * config_.fov + c + half_];
             const int self = r == 0 && c == 0;

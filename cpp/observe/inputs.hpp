@@ -55,19 +55,21 @@ class MoveInputs {
     void write(const World& world, const Occupancy& occupancy, float* out);
 
   private:
-    bool wants(Input input) const { return wanted_ >> input & 1; }
+    bool wants(Input input) const { return look_.wanted >> input & 1; }
     void survey(const Terrain& terrain);
     void draw_strides();
     void look_at_ground(int cell, MoveRows& rows) const;
-    void list_reserved(Team own);
+    void list_reserved(int at, Team own);
 
     const Config& config_;
     int n_moves_;
     int half_;  // cells from the agent to the end of its view
-    std::uint32_t wanted_ = 0;
-    std::vector<SeenCell> view_;        // by cell of the view
-    std::vector<std::uint64_t> taken_;  // as in MoveLook
-    MoveLook::Step steps_[kDiagonalMoves];
+    // As in MoveLook.
+    std::vector<SeenCell> view_;
+    std::vector<Apart> apart_;
+    std::vector<std::uint64_t> taken_;
+    Step steps_[kDiagonalMoves];
+    float shares_[kDiagonalMoves + 1];
     MoveLook look_{};
     // Moves that an agent in view forbids, as bits: by team, order of right of way, whether it is an
     // adversary, and near cell.
@@ -78,22 +80,18 @@ class MoveInputs {
     Crowd crowd_;
     Sight sight_;
     int order_ = 0;
-    std::vector<int> places_;  // by agent: its place among the living
-    std::uint64_t of_team_[kTeams][kMaxPositions / kPositionPad] = {};  // places as bits
-    std::vector<std::uint8_t> strides_;                                 // by agent
+    std::vector<int> places_;            // by agent: its place among the living
+    std::vector<std::uint8_t> strides_;  // by agent
     EpisodeKey stride_key_;
     int stride_ = -1;  // number of the stride
 
-    // Of the terrain, by cell: the free cells around it as bits by side, and its room, in cells.
+    // Of the terrain, by cell: the moves that lead to no obstacle, as bits, and the room, in cells.
     std::shared_ptr<const Terrain> terrain_;
-    std::vector<std::uint8_t> open_;
+    std::vector<std::uint16_t> open_;
     std::vector<std::uint8_t> room_;
-    std::vector<std::uint8_t> closed_;               // while a terrain is surveyed
-    std::uint8_t out_of_view_[kDiagonalMoves] = {};  // by move: sides of its cell, as bits
-    float exits_[256];                               // by free sides, as bits
+    std::vector<std::uint8_t> closed_;  // while a terrain is surveyed
+    float exits_[1 << kDiagonalMoves];  // by open moves
 
-    int row_ = 0;  // of the agent that looks
-    int col_ = 0;
     std::vector<const SeenCell*> seen_[2];  // teammates, adversaries, among very many agents
 };
 

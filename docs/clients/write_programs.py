@@ -16,7 +16,7 @@ from pathlib import Path
 import matrixworld as mw
 
 START = {"pursuer": "-adversary", "evader": "adversary"}
-INPUTS = [name for name in mw.INPUTS if name not in ("must_yield", "ahead", "search")]
+INPUTS = [name for name in mw.Rating.inputs if name not in ("must_yield", "ahead")]
 PARENTS, LONGEST = 12, 100
 
 

@@ -14,6 +14,13 @@ def distance(a, b, diagonal):
     return max(rows, cols) if diagonal else rows + cols
 
 
+def direction(a, b):
+    """Return the direction from a to b, of length 1; zeros if they are the same."""
+    rows, cols = b[0] - a[0], b[1] - a[1]
+    length = np.sqrt(rows * rows + cols * cols) or 1
+    return np.float32(rows / length), np.float32(cols / length)
+
+
 def in_order(step, move, n_actions):
     """Return the place of a move in the order of right of way of a step; 0 goes first."""
     return (move + (step + step // 8) % 8) % (n_actions - 1)
@@ -86,6 +93,33 @@ def slow_inputs(config, view, team, step, ahead):
         if max(map(abs, side)) <= half and side not in walls and side not in mates
     ]
     free = [sum(cell not in walls for cell in beside(there)) for there in moves]
+
+    def escapes(evader, pursuers):
+        cells = [cell for cell in (evader, *beside(evader)) if cell not in walls]
+        safe = [cell for cell in cells if all(distance(cell, p, diagonal) > 1 for p in pursuers)]
+        return np.float32(len(safe)) / np.float32(n_actions)
+
+    def opposite(evader, pursuer, other):
+        (a, b), (c, d) = direction(evader, pursuer), direction(evader, other)
+        return max((np.float32(1) - (a * c + b * d)) * np.float32(0.5), np.float32(0))
+
+    def nearest_of(cells, there):
+        least = min((distance(cell, there, diagonal) for cell in cells), default=None)
+        return [cell for cell in cells if distance(cell, there, diagonal) == least]
+
+    def odd(there):
+        return min((distance(there, each, diagonal) for each in adversaries), default=0) % 2
+
+    goals = nearest_of(adversaries, (0, 0))
+    if team == "pursuer":
+        left = [min((escapes(e, [there, *mates]) for e in goals), default=1) for there in moves]
+        pairs = [(evader, mate) for evader in goals for mate in nearest_of(mates, evader)]
+        held = [[opposite(e, there, mate) for e, mate in pairs] for there in moves]
+    else:
+        left = [escapes(there, adversaries) for there in moves]
+        others = {p: [each for each in adversaries if each != p] for p in goals}
+        pairs = [(p, other) for p in goals for other in nearest_of(others[p], (0, 0))]
+        held = [[opposite(there, p, other) for p, other in pairs] for there in moves]
     return {
         "adversary": [nearest(there, adversaries) for there in moves],
         "pressure": [push(there, adversaries) for there in moves],
@@ -96,6 +130,9 @@ def slow_inputs(config, view, team, step, ahead):
         "room": [unit * np.float32(room(there)) for there in moves],
         "must_yield": [int(forbidden(move)) for move in range(n_actions)],
         "ahead": [int(move == ahead) for move in range(n_actions)],
+        "escapes": left,
+        "opposite": [max(each, default=0) for each in held],
+        "parity": [odd(there) for there in moves],
     }
 
 
@@ -106,12 +143,13 @@ def direction_of_stride(world, agent):
 
 
 def all_slow_inputs(world):
-    """Return what `World.inputs` returns but for the last input, search: (A, moves, inputs - 1)."""
+    """Return by name what `World.inputs` returns, (A, moves), but for search, which is a plan."""
     config, views = world.config, world.views()
-    found = np.zeros((config.n_agents, config.n_actions, len(mw.Rating.inputs)), np.float32)
+    shape = config.n_agents, config.n_actions
+    found = {name: np.zeros(shape, np.float32) for name in mw.INPUTS if name != "search"}
     for agent in np.flatnonzero(world.alive):
         team = "pursuer" if agent < config.n_pursuers else "evader"
         ahead = direction_of_stride(world, int(agent))
-        named = slow_inputs(config, views[agent], team, world.steps, ahead)
-        found[agent] = np.array([named[name] for name in mw.Rating.inputs], np.float32).T
+        for name, values in slow_inputs(config, views[agent], team, world.steps, ahead).items():
+            found[name][agent] = values
     return found

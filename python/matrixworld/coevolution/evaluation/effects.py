@@ -58,10 +58,29 @@ PHRASES: dict[str, Phrase] = {
     "must_yield": Phrase("gives way to others", "takes the way of others", "right of way"),
     "ahead": Phrase("keeps turning", "keeps its direction", "its direction"),
     "search": Phrase("leaves its way of searching", "searches the grid", "its way of searching"),
+    "escapes": Phrase("{opens} ways out", "{closes} ways out", "ways out"),
+    "opposite": Phrase("stands {opposite}", "stands {aside}", "opposite sides"),
+    "parity": Phrase("keeps odd distances", "keeps even distances", "odd distances"),
 }
 WORDS: dict[Team, dict[str, str]] = {
-    "pursuer": {"foe": "evader", "seeks": "goes for", "flees": "keeps away from"},
-    "evader": {"foe": "pursuer", "seeks": "goes towards", "flees": "runs from"},
+    "pursuer": {
+        "foe": "evader",
+        "seeks": "goes for",
+        "flees": "keeps away from",
+        "opens": "leaves evaders",
+        "closes": "closes evaders'",
+        "opposite": "opposite a teammate",
+        "aside": "on the same side as a teammate",
+    },
+    "evader": {
+        "foe": "pursuer",
+        "seeks": "goes towards",
+        "flees": "runs from",
+        "opens": "keeps",
+        "closes": "gives up",
+        "opposite": "between pursuers",
+        "aside": "on one side of pursuers",
+    },
 }
 
 
