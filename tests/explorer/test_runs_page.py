@@ -271,6 +271,8 @@ def test_programs_are_there_as_expressions(rated):
     assert programs["teams"]["evader"]["expressions"] == [
         team.policy.expression(genome) for genome in team.genomes
     ]
+    weights_of_programs = [team.policy.weights(genome) for genome in team.genomes]
+    assert programs["teams"]["evader"]["weights"] == weights_of_programs
     shape = weights["teams"]["pursuer"]["policy"]
     found = [shape[name] for name in ("kind", "inputs", "genome_size")]
     assert found == ["rating", [*Rating.inputs], len(Rating.inputs)]

@@ -3,6 +3,7 @@
 import numpy as np
 
 import matrixworld as mw
+from matrixworld.world.program import cases_of
 
 
 def test_programs_as_text_are_the_same_programs():
@@ -54,3 +55,40 @@ def test_all_programs_without_one_operation():
     lengths = [len(program.tokens(one)) for one in shorter]
     assert len(shorter) == len(expected)
     assert lengths == sorted(lengths)
+
+
+def test_weights_are_those_of_a_weighted_sum():
+    program = mw.Program(length=60)
+    told = {
+        "2 * (room - 3 * adversary) - -exits + 4": {"room": 2, "adversary": -6, "exits": 1},
+        "room - room + 0 * exits": {},
+        "3 * min(1, 2)": None,
+        "room * adversary": None,
+        "1e38 * (1e38 * room)": None,
+    }
+    for expression, expected in told.items():
+        assert program.weights(program.genome(expression)) == expected, expression
+
+
+def test_the_first_case_that_holds_is_the_program():
+    """Of random programs, in float32, however many cases there may be."""
+    rng = np.random.default_rng(5)
+    program = mw.Program(length=200)
+    inputs = rng.normal(size=(50, 5, len(mw.INPUTS))).astype(np.float32)
+    numbers = set()
+    for _ in range(60):
+        genome = program.initial(rng, 6)
+        for most in (1, 3, 6):
+            cases = cases_of(program.tree(genome), most)
+            assert len(cases) <= most
+            rated, left = np.zeros((50, 5), np.float32), np.ones((50, 5), bool)
+            for case in cases:
+                holds = left.copy()
+                for test in case.tests:
+                    holds &= program.values(test, inputs) > 0
+                rated[holds] = program.values(case.tree, inputs)[holds]
+                left &= ~holds
+            assert not left.any()
+            np.testing.assert_array_equal(rated, program.rate(genome, inputs))
+            numbers.add(len(cases))
+    assert numbers == {1, 2, 3, 4, 5, 6}

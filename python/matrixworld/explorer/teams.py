@@ -59,6 +59,7 @@ def plain_team(
         "kept": kept,
         "genomes": identifier,
         "expressions": [policy.expression(g) for g in shown] if isinstance(policy, Program) else [],
+        "weights": [policy.weights(g) for g in shown] if isinstance(policy, Program) else [],
         "words": "",
     }
 

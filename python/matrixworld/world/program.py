@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import operator
+from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple, TypeAlias, TypeVar
@@ -86,6 +87,8 @@ class Call:
 
 Node: TypeAlias = Input | Constant | Call
 Folded = TypeVar("Folded")
+Terms: TypeAlias = dict[str, float]
+"""Weights of inputs by their names, and a number that is added, by the name ""."""
 
 
 def _nodes(tree: Node) -> list[Node]:
@@ -304,6 +307,10 @@ class Program(RatesMoves):
 
     def rate(self, genome: Floats, inputs: ArrayLike) -> Floats:
         """Return ratings, as `Rating.rate` does."""
+        return self.values(self.tree(genome), inputs)
+
+    def values(self, tree: Node, inputs: ArrayLike) -> Floats:
+        """Return the values of a tree, float32 (..., n_actions), for inputs as `rate` has them."""
         columns = self.columns(inputs)
         shape = np.shape(inputs)[:-1]
 
@@ -313,17 +320,22 @@ class Program(RatesMoves):
             return np.full(shape, leaf.value, np.float32)
 
         def of_call(call: Call, arguments: list[Floats]) -> Floats:
-            ratings: Floats = _MEANINGS[call.operation].compute(*arguments)
-            return ratings
+            values: Floats = _MEANINGS[call.operation].compute(*arguments)
+            return values
 
         with np.errstate(over="ignore", invalid="ignore"):
-            ratings = fold(self.tree(genome), of_leaf, of_call)
-            return np.asarray(np.fmax(ratings, LOWEST))
+            return np.asarray(np.fmax(fold(tree, of_leaf, of_call), LOWEST))
+
+    def weights(self, genome: Floats) -> dict[str, float] | None:
+        """Return weights by input, but those of 0, if the rating is a weighted sum, else None.
+
+        A number that is added to the ratings of all moves does not count.
+        """
+        return _weights_of(self.tree(genome))
 
     def expression(self, genome: Floats) -> str:
         """Return a genome as an expression, of which `genome` makes the same program."""
-        forms = {name: meaning.text for name, meaning in _MEANINGS.items()}
-        return _text_of(self.tree(genome), _Forms("{}", "{}", "{}", forms))
+        return expression_of(self.tree(genome))
 
     def to_python(self, genome: Floats) -> str:
         """Return a genome as lines of Python that play the same: see `Rating.to_python`."""
@@ -387,6 +399,108 @@ def _shortened(tree: Node) -> list[Node]:
         return [*trees, *call.arguments]
 
     return fold(tree, of_leaf, of_call)
+
+
+def _weights_of(tree: Node) -> dict[str, float] | None:
+    """Return the weights of the inputs whose weighted sum a tree is; None if it is none."""
+
+    def of_leaf(leaf: Input | Constant) -> Terms | None:
+        return {leaf.name: 1.0} if isinstance(leaf, Input) else {"": leaf.value}
+
+    def of_call(call: Call, arguments: list[Terms | None]) -> Terms | None:
+        match call.operation, arguments:
+            case "negate", [dict() as one]:
+                return scaled(one, -1.0)
+            case ("add" | "subtract") as sign, [dict() as one, dict() as other]:
+                other = scaled(other, 1.0 if sign == "add" else -1.0)
+                return {name: one.get(name, 0.0) + other.get(name, 0.0) for name in one | other}
+            case "multiply", [{"": number, **rest}, dict() as other] if not rest:
+                return scaled(other, number)
+            case "multiply", [dict() as one, {"": number, **rest}] if not rest:
+                return scaled(one, number)
+        return None
+
+    def scaled(terms: Terms, number: float) -> Terms:
+        return {name: number * weight for name, weight in terms.items()}
+
+    terms = fold(tree, of_leaf, of_call)
+    greatest = float(np.finfo(np.float32).max)
+    if terms is None or not all(abs(weight) <= greatest for weight in terms.values()):
+        return None
+    return {name: weight for name, weight in terms.items() if name and weight}
+
+
+class Case(NamedTuple):
+    """What rates a move for which all tests are more than 0, unless an earlier case holds."""
+
+    tests: tuple[Node, ...]
+    tree: Node
+
+
+def cases_of(tree: Node, most: int) -> list[Case]:
+    """Return a tree as at most so many cases, of which the first one that holds rates a move.
+
+    They are made from the top of the tree: ``where(a, b, c)`` is one case in which a > 0, and
+    another one; ``min(a, b)`` is ``where(less(a, b), a, b)``, ``max(a, b)`` is ``where(less(a, b),
+    b, a)``, and ``less(a, b)`` as a number is ``where(less(a, b), 1, 0)``. The last case holds for
+    all moves.
+    """
+    cases = [Case((), tree)]
+    while len(cases) < most:
+        choices = {place: _first_choice(case.tree) for place, case in enumerate(cases)}
+        # First where the fewest tests have been made.
+        places = [place for place, choice in choices.items() if choice is not None]
+        if not places:
+            break
+        place = min(places, key=lambda each: len(cases[each].tests))
+        choice, (tests, split) = choices[place], cases[place]
+        assert choice is not None
+        test, yes, no = _parts_of(choice)
+        cases[place : place + 1] = [
+            Case((*tests, test), _replaced(split, choice, yes)),
+            Case(tests, _replaced(split, choice, no)),
+        ]
+    return cases
+
+
+def _first_choice(tree: Node) -> Call | None:
+    """Return a call that chooses between values, none of which is nearer to the top, or None."""
+    left: deque[Node] = deque([tree])
+    while left:
+        node = left.popleft()
+        if isinstance(node, Call):
+            if node.operation in ("where", "min", "max", "less"):
+                return node
+            left.extend(node.arguments)
+    return None
+
+
+def _parts_of(choice: Call) -> tuple[Node, Node, Node]:
+    """Return the test of a choice, its value if that is more than 0, and its value if not."""
+    match choice:
+        case Call("where", (test, yes, no)):
+            return test, yes, no
+        case Call("min", (one, other)):
+            return Call("less", (one, other)), one, other
+        case Call("max", (one, other)):
+            return Call("less", (one, other)), other, one
+        case _:
+            return choice, Constant(1.0), Constant(0.0)
+
+
+def _replaced(tree: Node, node: Node, by: Node) -> Node:
+    """Return a tree with one of its nodes replaced."""
+    return fold(
+        tree,
+        lambda leaf: leaf,
+        lambda call, arguments: by if call is node else Call(call.operation, tuple(arguments)),
+    )
+
+
+def expression_of(tree: Node) -> str:
+    """Return a tree as an expression, of which `Program.genome` makes the same program."""
+    forms = {name: meaning.text for name, meaning in _MEANINGS.items()}
+    return _text_of(tree, _Forms("{}", "{}", "{}", forms))
 
 
 class _Forms(NamedTuple):

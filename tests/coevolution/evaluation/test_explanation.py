@@ -34,16 +34,27 @@ def inputs_seen(count):
 
 # What rates moves:
 
+
+def effects_of(**signed):
+    """Return effects of inputs whose ratings go one way."""
+    return {name: effects.Effect(max(size, 0.0), max(-size, 0.0)) for name, size in signed.items()}
+
+
 SENTENCES = [
-    ("pursuer", {"adversary": -1}, "A pursuer goes for the nearest evader."),
-    ("evader", {"adversary": 1}, "An evader runs from the nearest pursuer."),
+    ("pursuer", effects_of(adversary=-1), "A pursuer goes for the nearest evader."),
+    ("evader", effects_of(adversary=1), "An evader runs from the nearest pursuer."),
     (
         "pursuer",
-        {"unclaimed": -1.0, "open_side": -0.6, "room": 0.2},
+        effects_of(unclaimed=-1.0, open_side=-0.6, room=0.2),
         "A pursuer goes for evaders that no teammate is nearer to, goes for the free sides of "
         "evaders and minds walls little.",
     ),
-    ("evader", {"adversary": 0.0}, "An evader takes any move that is allowed."),
+    ("evader", effects_of(adversary=0.0), "An evader takes any move that is allowed."),
+    (
+        "evader",
+        {"room": effects.Effect(0.5, 1.0), "exits": effects.Effect(0.8, 0.2)},
+        "An evader now keeps to walls, now keeps off walls and prefers open cells.",
+    ),
 ]
 
 
@@ -213,6 +224,92 @@ def test_what_no_tree_imitates_is_refused(tmp_path):
         run.explain(run.settings.learning_teams[0])
     with pytest.raises(ValueError, match="expected one that learned"):
         run.explain(other(run.settings.learning_teams[0]))
+
+
+FIRST = "goes by the first case that holds for the cell of a move:"
+PROGRAMS = [
+    # Weighted sums are told as ratings are.
+    (
+        "pursuer",
+        "room - 2 * adversary",
+        "A pursuer goes for the nearest evader and keeps off walls.",
+    ),
+    ("evader", "adversary + 3", "An evader runs from the nearest pursuer."),
+    ("evader", "2", "An evader takes any move that is allowed."),
+    # Lists. An obstacle is at most 3 cells away, so `room` is at most 6 / 7.
+    (
+        "pursuer",
+        "room if 0.6 < adversary else -open_side - 1",
+        f"A pursuer {FIRST} (1) if no evader in view is within 2 moves, it keeps off walls; (2) "
+        "otherwise, it goes for the free sides of evaders. With moves of several cases to choose "
+        "from, it takes (1) in 100 % and (2) in 0 % of states.",
+    ),
+    (
+        "evader",
+        "-1 if adversary < 0.3 else 0",
+        f"An evader {FIRST} (1) if the nearest pursuer in view is within 1 move, it rates all "
+        "alike; (2) otherwise, it rates all alike. With moves of several cases to choose from, it "
+        "takes (1) in 0 % and (2) in 100 % of states.",
+    ),
+    (
+        "evader",
+        "-4 + less(0, must_yield) * (teammate - 9) + (room if 0.9 < exits else pressure < 0.2)",
+        f"An evader {FIRST} (1) if more than 3 cells around it are free and right of way "
+        "forbids the move, it",
+    ),
+    # What never decides is not told.
+    ("pursuer", "min(5 + teammate, 0 - adversary)", "A pursuer goes for the nearest evader."),
+    ("evader", "max(-room, exits) if room < 9 else ahead", "An evader prefers open cells."),
+    # Neither is one way if there are two.
+    (
+        "pursuer",
+        "-(adversary - 0.6) * (adversary - 0.6)",
+        "A pursuer now goes for the nearest evader, now keeps away from the nearest evader.",
+    ),
+]
+
+
+@pytest.mark.parametrize(("team", "expression", "expected"), PROGRAMS)
+def test_programs_are_told_case_by_case(team, expression, expected):
+    policy = mw.Program.for_config(WORLD)
+    acts = mw.RatingPolicy(policy, policy.genome(expression))
+    told = explanation.explain(acts, team, replace(WORLD, obstacles=0.1), episodes=2)
+    assert told.sentence.startswith(expected)
+    weights = {term.input: term.weight for term in told.terms}
+    if "(" in told.sentence or "now" in told.sentence or "if" in expression or "min" in expression:
+        assert {*weights.values()} == {None}
+    else:
+        assert sum(weights.values()) == {"room - 2 * adversary": -1, "2": 0}.get(expression, 1)
+
+
+LIMITS = [
+    ("adversary < 0.3", "the nearest evader in view is within 1 move"),
+    ("2 / 7 exactly < adversary", "no evader in view is within 1 move"),
+    ("teammate < 0.9", "a teammate in view is within 3 moves"),
+    ("room < 0.3", "an obstacle in its row or column is within 1 move"),
+    ("0.5 < exits", "more than 2 cells around it are free"),
+    ("must_yield", "right of way forbids the move"),
+    ("ahead < 1", "the move leaves its direction"),
+]
+
+
+@pytest.mark.parametrize(("test", "expected"), LIMITS)
+def test_the_limits_of_cases_are_those_of_the_program(test, expected):
+    """Its words hold for the very moves for which the test does: by numbers of moves and cells."""
+    policy = mw.Program.for_config(WORLD)
+    test = test.replace("2 / 7 exactly", str(np.float32(2) / np.float32(7)))
+    acts = mw.RatingPolicy(policy, policy.genome(f"where({test}, exits, room)"))
+    world = replace(WORLD, obstacles=0.1)
+    told = explanation.explain(acts, "pursuer", world, episodes=2).sentence
+    assert f"(1) if {expected}, it" in told
+    seen = inputs_seen(600)
+    name = next(name for name in mw.INPUTS if name in test)
+    x = seen[..., NAMES.index(name)].astype(float)
+    counts = {"exits": 4 * x, "must_yield": x, "ahead": x}.get(name, x * 7 / 2).round().astype(int)
+    [number] = [int(word) for word in expected.split() if word.isdigit()] or [0]
+    is_at_most = "no " not in expected and "more" not in expected and "forbids" not in expected
+    holds = policy.rate(policy.genome(f"where({test}, 1, 0)"), seen) > 0
+    np.testing.assert_array_equal(holds, (counts <= number) == is_at_most)
 
 
 def test_parts_of_a_program_that_are_worth_nothing_are_left_out():

@@ -41,10 +41,7 @@ export function sentence(
   const does =
     listed([...clear, ...(little.length ? [`minds ${listed(little)} little`] : [])]) ||
     "takes any move that is allowed";
-  return `${team === "pursuer" ? "A" : "An"} ${team} ${does}.`.replaceAll(
-    /\{(\w+)\}/g,
-    (_, name: string) => words[team][name]!,
-  );
+  return `{A} ${team} ${does}.`.replaceAll(/\{(\w+)\}/g, (_, name: string) => words[team][name]!);
 }
 
 /**

@@ -3,7 +3,15 @@
 import { unzlibSync } from "fflate";
 import type { Engine, Match } from "../engine/engine.ts";
 import type { Team } from "../engine/teams.ts";
-import type { PolicyShape, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import type {
+  InputName,
+  PolicyShape,
+  ProgramPolicy,
+  RatingPolicy,
+  ScriptName,
+  TeamPolicy,
+  WorldConfig,
+} from "../engine/types.ts";
 import type { PageData } from "../playground/data.ts";
 import { generationName } from "./game.ts";
 import type { OwnGame } from "./game.ts";
@@ -13,6 +21,12 @@ import type { Selection } from "./store.ts";
 export type Matrix = readonly (readonly number[])[];
 export type Curve = readonly (number | null)[];
 
+/** What rates moves by named inputs. */
+export type RatesMoves = RatingPolicy | ProgramPolicy;
+
+/** Weights by input; those of 0 are left out. */
+export type WeightsOf = Readonly<Partial<Record<InputName, number>>>;
+
 export interface TeamData {
   readonly script: ScriptName | null;
   readonly policy: PolicyShape | null;
@@ -21,6 +35,8 @@ export interface TeamData {
   readonly genomes: string;
   /** Of programs, that of each kept generation as an expression. */
   readonly expressions?: readonly string[];
+  /** The same as weights by input, where the program is a weighted sum of inputs. */
+  readonly weights?: readonly (WeightsOf | null)[];
   /** What the last generation does, in words; empty where nobody says it. */
   readonly words?: string;
 }
@@ -164,9 +180,26 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
 export const ratesMoves = ({ teams }: Run, team: Team): boolean =>
   (teams[team].policy ?? { kind: "cells" }).kind !== "cells";
 
-/** Return the program of a generation as an expression; empty for other policies. */
-export const expressionOf = ({ teams }: Run, team: Team, generation: number): string =>
-  teams[team].expressions?.[teams[team].kept.indexOf(generation)] ?? "";
+/** A program in words: an expression, and weights by input where it is a weighted sum. */
+export interface ProgramText {
+  readonly expression: string;
+  readonly weights: WeightsOf | null;
+}
+
+/** Return the program of a generation in words; null for other policies. */
+export function programOf({ teams }: Run, team: Team, generation: number): ProgramText | null {
+  const { kept, expressions, weights } = teams[team];
+  const place = kept.indexOf(generation);
+  const expression = expressions?.[place];
+  return expression ? { expression, weights: weights?.[place] ?? null } : null;
+}
+
+/** Return the weights of what rates moves by a weighted sum of inputs; null for all else. */
+export function weightsOf(policy: RatesMoves, program: ProgramText | null): WeightsOf | null {
+  if (policy.kind === "program") return program?.weights ?? null;
+  if (policy.hidden.length) return null;
+  return Object.fromEntries(policy.inputs.map((input, place) => [input, policy.genome[place]!]));
+}
 
 /** Play a match with the engine: the very one of the evaluation, unless another seed is chosen. */
 export function playedMatch(engine: Engine, run: Run, { pursuer, evader, episode, seed }: Selection): Match {

@@ -3,9 +3,9 @@
 import { INPUTS } from "../engine/tables.ts";
 import { TEAMS } from "../engine/teams.ts";
 import type { Team } from "../engine/teams.ts";
-import type { TeamPolicy } from "../engine/types.ts";
+import type { InputName, TeamPolicy } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
-import { expressionOf, policyOf, ratesMoves, whyNot } from "./data.ts";
+import { policyOf, programOf, ratesMoves, weightsOf, whyNot } from "./data.ts";
 import type { Run } from "./data.ts";
 import { capital, signed } from "./format.ts";
 import { gameWords, generationName } from "./game.ts";
@@ -36,28 +36,45 @@ function ofTeam(run: Run, team: Team, generation: number): HTMLElement {
     { "aria-label": gameWords(run).teams[team] },
     html("h3", { class: team }, capital(name)),
     words && generation === kept.at(-1) ? html("p", {}, words) : null,
-    problem
-      ? html("p", { class: "small muted" }, problem)
-      : shownPolicy(team, policyOf(run, team, generation), expressionOf(run, team, generation)),
+    ...(problem
+      ? [html("p", { class: "small muted" }, problem)]
+      : shownPolicy(run, team, generation, policyOf(run, team, generation))),
   );
 }
 
-function shownPolicy(team: Team, policy: TeamPolicy, expression: string): HTMLElement | null {
-  if (typeof policy === "string" || policy.kind === "cells") return null;
-  if (policy.kind === "program") return html("p", {}, html("code", {}, expression));
-  if (policy.hidden.length) {
-    return html(
-      "p",
-      { class: "small muted" },
-      `A network with ${policy.hidden.join(" and ")} hidden units rates each move by ${policy.inputs.length} inputs.`,
-    );
-  }
-  const most = Math.max(...policy.genome.map(Math.abs)) || 1;
+function shownPolicy(run: Run, team: Team, generation: number, policy: TeamPolicy): HTMLElement[] {
+  if (typeof policy === "string" || policy.kind === "cells") return [];
+  const program = programOf(run, team, generation);
+  const weights = weightsOf(policy, program);
+  return [
+    ...(program ? [html("p", {}, html("code", {}, program.expression))] : []),
+    ...(weights
+      ? [
+          bars(
+            team,
+            policy.inputs.map((input) => [input, weights[input] ?? 0]),
+          ),
+        ]
+      : []),
+    ...(policy.kind === "rating" && policy.hidden.length
+      ? [
+          html(
+            "p",
+            { class: "small muted" },
+            `A network with ${policy.hidden.join(" and ")} hidden units rates each move by ${policy.inputs.length} inputs.`,
+          ),
+        ]
+      : []),
+  ];
+}
+
+/** Return weights of inputs as bars. */
+function bars(team: Team, weights: readonly (readonly [input: InputName, weight: number])[]): HTMLElement {
+  const most = Math.max(...weights.map(([, weight]) => Math.abs(weight))) || 1;
   return html(
     "div",
     { class: "weights" },
-    ...policy.inputs.flatMap((input, place) => {
-      const weight = policy.genome[place]!;
+    ...weights.flatMap(([input, weight]) => {
       const bar = html("span", { class: `bar ${team}${weight < 0 ? " below" : ""}` });
       bar.style.width = `${(50 * Math.abs(weight)) / most}%`;
       return [

@@ -4,7 +4,7 @@ import type { Engine, Match, Solution, World } from "../engine/engine.ts";
 import type { TeamPolicy } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
 import { ACTIONS, agentName } from "../page/names.ts";
-import { expressionOf, policyOf } from "./data.ts";
+import { policyOf, programOf } from "./data.ts";
 import type { Run } from "./data.ts";
 import type { Selection } from "./store.ts";
 import { drawView } from "./view.ts";
@@ -142,7 +142,7 @@ export class Inspector {
     }
     const rated =
       typeof policy !== "string" && policy.kind !== "cells"
-        ? whyTable(policy, world.rate(policy, agent), taken, expressionOf(run, team, selection[team]))
+        ? whyTable(policy, world.rate(policy, agent), taken, programOf(run, team, selection[team]))
         : [];
     const game = this.#solution?.game(world) ?? null;
     const columns = [

@@ -1,9 +1,11 @@
 // Why an agent takes its move: how its policy rates each one, term by term where the rating is a sum.
 
 import { INPUTS } from "../engine/tables.ts";
-import type { ProgramPolicy, RatedMoves, RatingPolicy } from "../engine/types.ts";
+import type { RatedMoves } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
 import { ACTIONS } from "../page/names.ts";
+import { weightsOf } from "./data.ts";
+import type { ProgramText, RatesMoves } from "./data.ts";
 import { signed } from "./format.ts";
 
 /** Stand for the actions where there is little room. */
@@ -15,17 +17,17 @@ const ARROWS = ["stay", "↑", "→", "↓", "←", "↗", "↘", "↙", "↖"];
  * is the same for all moves decides nothing.
  */
 export function whyTable(
-  policy: RatingPolicy | ProgramPolicy,
+  policy: RatesMoves,
   { inputs, ratings, refused }: RatedMoves,
   taken: number | null,
-  expression: string,
+  program: ProgramText | null,
 ): HTMLElement[] {
-  const weights = policy.kind === "rating" && !policy.hidden.length ? policy.genome : null;
-  const weightOf = (input: number): number => weights?.[input] ?? 1;
+  const weights = weightsOf(policy, program);
+  const weightOf = (input: number): number => (weights ? (weights[policy.inputs[input]!] ?? 0) : 1);
   const reads = (input: number): boolean =>
-    policy.kind === "rating"
+    weights || !program
       ? weightOf(input) !== 0
-      : new RegExp(`\\b${policy.inputs[input]}\\b`).test(expression);
+      : new RegExp(`\\b${policy.inputs[input]}\\b`).test(program.expression);
   const read = [...policy.inputs.keys()]
     .filter(reads)
     .sort((a, b) => Math.abs(weightOf(b)) - Math.abs(weightOf(a)));
@@ -78,7 +80,7 @@ export function whyTable(
     ),
   );
   return [
-    ...(expression ? [html("p", { class: "expression" }, html("code", {}, expression))] : []),
+    ...(program ? [html("p", { class: "expression" }, html("code", {}, program.expression))] : []),
     html(
       "div",
       { class: "wide-table", tabindex: 0, role: "group", "aria-label": "How the moves are rated" },

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import count
 from typing import Any, NamedTuple
 
@@ -15,6 +15,7 @@ from matrixworld.coevolution.types import Genome, Team
 from matrixworld.episodes.record import record
 from matrixworld.play.policies import RatingPolicy
 from matrixworld.world.policy import Population
+from matrixworld.world.program import Program
 from matrixworld.world.rating import INPUTS
 from matrixworld.world.world import World
 
@@ -27,6 +28,7 @@ CLEAR = 1 / 3  # least effect, as a share of the largest one, that a sentence te
 SLIGHT = 1 / 10  # least effect that it tells as little
 MOST_CLEAR = 4  # the most effects that a sentence tells
 MOST_SLIGHT = 2  # the most of them that it tells as little
+ANY_MOVE = "takes any move that is allowed"
 
 
 class Phrase(NamedTuple):
@@ -58,28 +60,30 @@ PHRASES: dict[str, Phrase] = {
     "must_yield": Phrase("gives way to others", "takes the way of others", "right of way"),
     "ahead": Phrase("keeps turning", "keeps its direction", "its direction"),
     "search": Phrase("leaves its way of searching", "searches the grid", "its way of searching"),
-    "escapes": Phrase("{opens} ways out", "{closes} ways out", "ways out"),
-    "opposite": Phrase("stands {opposite}", "stands {aside}", "opposite sides"),
-    "parity": Phrase("keeps odd distances", "keeps even distances", "odd distances"),
+    "escapes": Phrase("{closes} ways out", "{opens} ways out", "ways out"),
+    "opposite": Phrase("{aside}", "{opposite}", "opposite sides"),
+    "parity": Phrase("keeps even distances", "keeps odd distances", "odd distances"),
 }
 WORDS: dict[Team, dict[str, str]] = {
     "pursuer": {
+        "A": "A",
         "foe": "evader",
         "seeks": "goes for",
         "flees": "keeps away from",
         "opens": "leaves evaders",
         "closes": "closes evaders'",
-        "opposite": "opposite a teammate",
-        "aside": "on the same side as a teammate",
+        "opposite": "stands opposite a teammate",
+        "aside": "stands on the same side as a teammate",
     },
     "evader": {
+        "A": "An",
         "foe": "pursuer",
         "seeks": "goes towards",
         "flees": "runs from",
         "opens": "keeps",
         "closes": "gives up",
-        "opposite": "between pursuers",
-        "aside": "on one side of pursuers",
+        "opposite": "stands between pursuers",
+        "aside": "keeps pursuers on one side",
     },
 }
 
@@ -90,35 +94,61 @@ class Term(NamedTuple):
     input: str
     weight: float | None  # its weight; None unless the rating is a weighted sum
     effect: float
-    """How far the input moves a rating: the slope of `dependence`, multiplied by the standard
-    deviation of the input among the moves that an agent can choose from."""
+    """How far the rating rises with the input, less how far it falls."""
     dependence: tuple[tuple[float, float], ...]
     """Partial dependence: values of the input, and the mean rating of the moves seen, if all had
     this value."""
+    rises: float
+    falls: float
+    """How far the rating of a move changes with the input, from its mean over the moves that an
+    agent can choose from to its value: the root of the mean square over the moves seen, apart for
+    those whose rating goes the way of the input and those whose rating goes against it. In a
+    weighted sum one of them is 0, and the other one is the size of the weight multiplied by the
+    standard deviation of the input among these moves."""
     cost: Estimate | None = None
     """Score lost if the input is left out: all weights that it enters by are 0."""
 
 
-def sentence(team: Team, effects: Mapping[str, float]) -> str:
+class Effect(NamedTuple):
+    """How far ratings rise with an input, and how far they fall; as in `Term`, 0 or more."""
+
+    rises: float
+    falls: float
+
+
+def sentence(team: Team, effects: Mapping[str, Effect]) -> str:
     """Return in a sentence what an agent does by the effects of its inputs."""
-    names = sorted(effects, key=lambda name: -abs(effects[name]))
-    largest = abs(effects[names[0]]) or 1.0
-    shares = {name: abs(effects[name]) / largest for name in names}
-    clear = [name for name in names if shares[name] >= CLEAR]
-    slight = [name for name in names if SLIGHT <= shares[name] < CLEAR]
+    return in_words(team, f"{{A}} {team} {deed(effects) or ANY_MOVE}.")
+
+
+def in_words(team: Team, text: str) -> str:
+    """Return a text with the words of a team."""
+    return text.format(**WORDS[team])
+
+
+def deed(effects: Mapping[str, Effect]) -> str:
+    """Return what an agent does by the effects of its inputs, for `in_words`; empty for nothing."""
+    names = sorted(effects, key=lambda name: -max(effects[name]))
+    largest = max(effects[names[0]]) if names else 0.0
+    if not largest:
+        return ""
+    shares = {name: Effect(*(size / largest for size in effects[name])) for name in names}
+    clear = [name for name in names if max(shares[name]) >= CLEAR]
+    slight = [name for name in names if SLIGHT <= max(shares[name]) < CLEAR]
     clauses = []
     for name in clear[:MOST_CLEAR]:
-        phrase = PHRASES[name]
-        clauses.append(phrase.rises if effects[name] > 0 else phrase.falls)
+        phrase, (rises, falls) = PHRASES[name], shares[name]
+        if min(rises, falls) >= CLEAR:
+            clauses.append(f"now {phrase.falls}, now {phrase.rises}")
+        else:
+            clauses.append(phrase.rises if rises > falls else phrase.falls)
     if slight:
         objects = [PHRASES[name].minded for name in slight[:MOST_SLIGHT]]
-        clauses.append(f"minds {_listed(objects)} little")
-    article = "A" if team == "pursuer" else "An"
-    does = _listed(clauses) if clauses else "takes any move that is allowed"
-    return f"{article} {team} {does}.".format(**WORDS[team])
+        clauses.append(f"minds {listed(objects)} little")
+    return listed(clauses)
 
 
-def _listed(parts: Sequence[str]) -> str:
+def listed(parts: Sequence[str]) -> str:
     """Return parts as "a, b and c"."""
     if len(parts) == 1:
         return parts[0]
@@ -148,47 +178,63 @@ def inputs_seen(trials: Trials) -> NDArray[np.float32]:
 def terms_of(policy: RatingPolicy, seen: NDArray[np.float32]) -> list[Term]:
     """Return what the inputs of a policy do to the ratings of moves seen, the largest first."""
     shape = policy.policy
-    is_weighted_sum = getattr(shape, "sizes", ()) == (len(shape.inputs), 1)
+    weights = weights_of(policy)
     allowed = policy.allowed(seen)
     terms = []
-    for place, name in enumerate(shape.inputs):
-        weight = float(policy.genome[place]) if is_weighted_sum else None
-        terms.append(_term(policy, seen, allowed, name, weight))
-    return sorted(terms, key=lambda term: -abs(term.effect))
+    for name in shape.inputs:
+        effect = effect_of(policy.rate, seen, allowed, name)
+        weight = None if weights is None else weights.get(name, 0.0)
+        points = _dependence(policy.rate, seen, allowed, name)
+        terms.append(Term(name, weight, effect.rises - effect.falls, points, *effect))
+    return sorted(terms, key=lambda term: -max(term.rises, term.falls))
 
 
-def _term(
-    policy: RatingPolicy,
+def weights_of(policy: RatingPolicy) -> Mapping[str, float] | None:
+    """Return the weights of inputs whose sum a rating is; None if it is no weighted sum."""
+    shape = policy.policy
+    if isinstance(shape, Program):
+        return shape.weights(policy.genome)
+    if shape.hidden:
+        return None
+    return dict(zip(shape.inputs, map(float, policy.genome), strict=True))
+
+
+def effect_of(
+    rate: Callable[[NDArray[np.float32]], NDArray[np.float32]],
     seen: NDArray[np.float32],
-    allowed: NDArray[np.bool_],
+    moves: NDArray[np.bool_],
     name: str,
-    weight: float | None,
-) -> Term:
-    """Return what one input does to the ratings of moves seen that are allowed."""
+) -> Effect:
+    """Return how far ratings change with an input over moves (n, moves) of those seen."""
     column = list(INPUTS).index(name)
     x = seen[..., column].astype(np.float64)
-    # Over the moves that an agent can choose from.
-    moves = allowed.sum(axis=1)
-    mean = (x * allowed).sum(axis=1) / moves
-    variance = ((x - mean[:, None]) ** 2 * allowed).sum(axis=1) / moves
-    spread = float(np.sqrt(variance.mean()))
-    low = x[allowed].min()
-    high = x[allowed].max()
-    points: list[tuple[float, float]] = []
-    for value in np.linspace(low, high, POINTS) if spread else [low]:
+    counts = moves.sum(axis=1)
+    mean = np.divide((x * moves).sum(axis=1), counts, out=np.zeros(len(x)), where=counts > 0)
+    changed = seen.copy()
+    changed[..., column] = mean[:, None]
+    # What a rating changes when the input goes from the mean to its value.
+    change = rate(seen).astype(np.float64) - rate(changed)
+    change *= np.sign(seen[..., column] - changed[..., column])
+    share = moves / np.maximum(counts, 1)[:, None] / max(np.count_nonzero(counts), 1)
+    squares = share * change**2
+    return Effect(*(float(np.sqrt(squares[way].sum())) for way in (change > 0, change < 0)))
+
+
+def _dependence(
+    rate: Callable[[NDArray[np.float32]], NDArray[np.float32]],
+    seen: NDArray[np.float32],
+    moves: NDArray[np.bool_],
+    name: str,
+) -> tuple[tuple[float, float], ...]:
+    """Return values of an input, and the mean ratings of moves seen if all had these values."""
+    column = list(INPUTS).index(name)
+    low, high = np.quantile(seen[..., column][moves], (0, 1))
+    points = []
+    for value in np.linspace(low, high, POINTS) if low < high else [low]:
         changed = seen.copy()
         changed[..., column] = value
-        points.append((float(value), float(policy.rate(changed)[allowed].mean(dtype=float))))
-    values, ratings = np.transpose(points)
-    slope = float(np.polyfit(values, ratings, 1)[0]) if np.ptp(ratings) else 0.0
-    return Term(name, weight, slope * spread, tuple(points))
-
-
-def sentence_and_terms(trials: Trials) -> tuple[str, list[Term]]:
-    """Return in a sentence what a policy does that rates moves, and the terms behind it."""
-    assert isinstance(trials.policy, RatingPolicy)
-    terms = terms_of(trials.policy, inputs_seen(trials))
-    return sentence(trials.team, {term.input: term.effect for term in terms}), terms
+        points.append((float(value), float(rate(changed)[moves].mean(dtype=float))))
+    return tuple(points)
 
 
 def without_each(trials: Trials, terms: Sequence[Term]) -> tuple[Estimate, list[Term]]:

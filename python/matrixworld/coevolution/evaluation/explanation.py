@@ -13,10 +13,14 @@ from typing import Any
 
 from matrixworld._util import checks, readable
 from matrixworld.analysis import Estimate
+from matrixworld.coevolution.evaluation.cases import sentence_of_program
 from matrixworld.coevolution.evaluation.effects import (
+    Effect,
     Term,
+    inputs_seen,
     pruned,
-    sentence_and_terms,
+    sentence,
+    terms_of,
     without_each,
 )
 from matrixworld.coevolution.evaluation.held_out import opponents_of
@@ -27,7 +31,7 @@ from matrixworld.coevolution.games.pursuit import Network, Program, PursuitSetti
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.stored import StoredRun
 from matrixworld.coevolution.types import Team
-from matrixworld.play.policies import GenomePolicy
+from matrixworld.play.policies import GenomePolicy, RatingPolicy
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TeamPolicy
 
@@ -122,6 +126,18 @@ def sentence_of(run: StoredRun, team: Team) -> str:
     return words
 
 
+def sentence_and_terms(trials: Trials) -> tuple[str, list[Term]]:
+    """Return in a sentence what a policy does that rates moves, and what each input does in it."""
+    policy = trials.policy
+    assert isinstance(policy, RatingPolicy)
+    seen = inputs_seen(trials)
+    terms = terms_of(policy, seen)
+    if isinstance(policy.policy, Program):
+        return sentence_of_program(trials.team, policy, seen), terms
+    effects = {term.input: Effect(term.rises, term.falls) for term in terms}
+    return sentence(trials.team, effects), terms
+
+
 def explain(
     policy: GenomePolicy,
     team: Team,
@@ -152,19 +168,19 @@ def explain(
         return Explanation(team, generation, score, IMITATED, rules, tree=tree)
     if kind == "program":
         return _of_program(trials, generation)
-    sentence, terms = sentence_and_terms(trials)
+    words, terms = sentence_and_terms(trials)
     score, terms = without_each(trials, terms)
-    return Explanation(team, generation, score, sentence, terms=tuple(terms))
+    return Explanation(team, generation, score, words, terms=tuple(terms))
 
 
 def _of_program(trials: Trials, generation: int) -> Explanation:
     """Explain a program by its inputs, and without the parts that are worth nothing."""
     policy: Any = trials.policy
     code, loss = pruned(trials)
-    sentence, terms = sentence_and_terms(trials)
+    words, terms = sentence_and_terms(trials)
     [own] = trials.scores(policy.population(), 0)
     text: str = policy.to_python()
     if loss is not None:
         short = policy.policy.expression(code)
         text += f"\nWithout parts that are worth nothing: {short}\n(score lost: {loss})\n"
-    return Explanation(trials.team, generation, mean_score(own), sentence, text, tuple(terms))
+    return Explanation(trials.team, generation, mean_score(own), words, text, tuple(terms))
