@@ -159,6 +159,76 @@ def rated(tmp_path_factory):
     return [evolve(each, out / each.game.policy.kind, threads=1) for each in settings]
 
 
+INPUTS = "window.matrixworldExplorer.inputs"
+BESIDE = """(() => {
+  const canvas = document.querySelector('#match canvas.board'), { rows, cols } = arguments[0];
+  canvas.scrollIntoView({block: 'center', behavior: 'instant'});
+  const { left, top, width, height } = canvas.getBoundingClientRect();
+  const cell = Math.floor(Math.min(width / (cols + 0.24), height / (rows + 0.24)));
+  const at = (size, side, n, place) => side + (size - n * cell) / 2 + (place + 0.5) * cell;
+  return [at(width, left, cols, arguments[1][1]), at(height, top, rows, arguments[1][0])];
+})()"""
+"""Where a cell of the board is in the window."""
+MOVES = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]
+
+
+@pytest.mark.slow
+def test_the_board_draws_the_inputs_of_a_move(browser, rated, tmp_path):
+    """By keys, and where the pointer is."""
+    from selenium.webdriver import ActionChains
+
+    shown = explore(*(run.path for run in rated), file=tmp_path / "page.html")
+    browser.open(shown.path)
+    browser.wait(PLAYED)
+    world = rated[0].settings.game.world
+    browser.js("location.hash = '#run=0&pursuers=2&evaders=1&episode=0&step=2'")
+    browser.wait(f"{PLAYED} === '0 2 1 0 ' && matrixworldExplorer.step === 2")
+    assert browser.js("document.querySelectorAll('.signs li').length") == 3
+    assert browser.js(INPUTS) is None
+    browser.press("a")
+    match = rated[0].record(2, 1)
+    row, col = match.positions[2][0].tolist()
+    taken = MOVES[match.actions[2][0]]
+    assert browser.js(f"{INPUTS}.to") == [row + taken[0], col + taken[1]]
+    # All moves that lead into no obstacle, by the key.
+    free = {
+        (row + r, col + c)
+        for r, c in MOVES
+        if 0 <= row + r < world.rows and 0 <= col + c < world.cols
+        if not match.map[row + r, col + c]
+    }
+    asked = "document.querySelector('.why .asked').ariaLabel"
+    cells, names = set(), set()
+    for _ in range(len(free)):
+        browser.press("i")
+        cells.add(tuple(browser.js(f"{INPUTS}.to")))
+        names.add(browser.js(asked))
+    assert cells == free
+    assert len(names) == len(free)
+    # The pointer on a cell beside it; away from the board the move that was asked about is back.
+    last = browser.js(f"{INPUTS}.to")
+    other = next(cell for cell in free if [*cell] != last and cell != (row, col))
+    size = {"rows": world.rows, "cols": world.cols}
+
+    def point(x, y):
+        mouse = ActionChains(browser.driver, duration=20)
+        mouse.w3c_actions.pointer_action.move_to_location(round(x), round(y))
+        mouse.perform()
+
+    point(*browser.js(BESIDE, size, other))
+    browser.wait(f"String({INPUTS}.to) === '{other[0]},{other[1]}'")
+    point(2, 2)
+    browser.wait(f"String({INPUTS}.to) === '{last[0]},{last[1]}'")
+    browser.press("\ue00c")  # Esc
+    assert browser.js(INPUTS) is None
+    # Nobody is chosen: the pointer on an agent tells of the move that it takes.
+    point(*browser.js(BESIDE, size, (row, col)))
+    browser.wait(f"{INPUTS} !== null")
+    browser.press("2")
+    browser.wait(f"{PLAYED}.startsWith('1 ')")
+    assert browser.violations() == browser.errors() == []
+
+
 @quickly("damage", ["missing", "cut", "no base64", "a NaN"], lambda damage: damage == "cut")
 @pytest.mark.slow
 def test_damaged_genomes_are_told_where_the_match_would_be(browser, job, tmp_path, damage):

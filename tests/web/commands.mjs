@@ -4,6 +4,10 @@ import { createInterface } from "node:readline";
 
 import { conflicts, engine, output, policyOf, rollout, whyNotSolved } from "./engine.mjs";
 
+const { opposition, shownInputs } = await import(
+  new URL("../../web/src/explorer/shown_inputs.ts", import.meta.url)
+);
+
 const ARRAYS = [
   ...["positions", "last_positions", "alive", "captured", "ever_captured"],
   ...["actions", "rewards", "involved", "fault", "map"],
@@ -45,6 +49,21 @@ const COMMANDS = {
       moments.push(told(world, read));
     }
     return { moments, map: world.map() };
+  },
+  // What a board draws of all moves of agents, by agent and move.
+  shown({ config, start, actions, agents, inputs }) {
+    const world = engine.world(config);
+    world.reset(startOf(start));
+    for (const row of actions) world.step(row);
+    const positions = world.read("positions");
+    return agents.map((agent) =>
+      Array.from({ length: config.diagonal ? 9 : 5 }, (_, move) => {
+        const team = agent < config.n_pursuers ? "pursuer" : "evader";
+        const at = [positions[2 * agent], positions[2 * agent + 1]];
+        const shown = shownInputs({ config, view: world.view(agent), team, at, move }, inputs);
+        return { ...shown, opposition: shown.sides && opposition(...shown.sides) };
+      }),
+    );
   },
   // Plays on from a snapshot in another world, after a detour in the first.
   resume({ config, start, before, after, edit, read }) {

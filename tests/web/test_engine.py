@@ -317,6 +317,61 @@ def test_why_a_move(run_command, name):
         assert told["refused"] == refused[policy.mask].astype(int).tolist()
 
 
+DRAWN = ("escapes", "opposite", "open_side", "exits", "room")
+
+
+@pytest.mark.parametrize(
+    ("row", "changes"),
+    [
+        ("O", {"obstacles": 0.15}),
+        ("SB", {"obstacles": 0.1, "diagonal": True, "n_pursuers": 12, "n_evaders": 9}),
+        ("R", {"n_evaders": 1, "fov": 11}),
+    ],
+)
+def test_what_a_board_draws_of_inputs_are_their_numbers(run_command, row, changes):
+    """Cells that are counted, and distances to cells, of all moves of all agents."""
+    config = config_of(row, max_steps=30, **changes)
+    seen = set()
+    for seed in range(6):
+        world = mw.World(config)
+        world.reset(seed)
+        actions = random_actions(seed, config.n_actions, 2, config.n_agents)
+        for played in actions:
+            world.step(played)
+        alive, inputs, views = np.flatnonzero(world.alive), world.inputs(), world.views()
+        got = run_command(
+            do="shown",
+            config=config.to_json(),
+            start={"seed": str(seed)},
+            actions=actions.tolist(),
+            agents=alive.tolist(),
+            inputs=DRAWN,
+        )
+        unit = np.float32(2) / np.float32(config.fov)
+        for agent, moves in zip(alive, got, strict=True):
+            channel = 0 if agent < config.n_pursuers else 1  # of its adversaries
+            for move, shown in enumerate(moves):
+                there = np.array(shown["to"])
+
+                def moves_to(cell, there=there):
+                    by = np.abs(np.array(cell) - there)
+                    return by.max() if config.diagonal else by.sum()
+
+                ways = len(shown["escape"]) / config.n_actions
+                alone = agent < config.n_pursuers and not views[agent, channel].any()
+                drawn = {
+                    "escapes": 1 if alone else ways,
+                    "opposite": shown["opposition"] or 0,
+                    "open_side": unit * moves_to(shown["openSide"]) if shown["openSide"] else 2,
+                    "exits": len(shown["exits"]) / (config.n_actions - 1),
+                    "room": unit * (moves_to(shown["wall"]) if shown["wall"] else config.fov // 2),
+                }
+                own = dict(zip(mw.INPUTS, inputs[agent, move], strict=True))
+                assert drawn == pytest.approx({name: own[name] for name in DRAWN}, abs=1e-6)
+                seen |= {name for name in DRAWN if 0 < drawn[name] < 1}
+    assert seen == {*DRAWN}
+
+
 def test_conflicts_have_the_words_of_python(run_command):
     """All kinds, forms and outcomes, with all agents at fault, held and doomed."""
     bits = range(4)

@@ -27,6 +27,7 @@ from matrixworld.coevolution.settings.race_settings import RaceSettings
 from matrixworld.coevolution.settings.schedules import Against
 from matrixworld.coevolution.types import BOTH, TEAMS, other
 from matrixworld.explorer.runs_page import PAGE
+from matrixworld.world.program import Program
 
 
 def report(
@@ -120,11 +121,14 @@ def _print_results(groups: Sequence[RunGroup], root: Path) -> None:
 
 def _print_what_evolved(group: RunGroup) -> None:
     """Print in a sentence what each team of the first run does, if its policies rate moves."""
-    sentences = []
+    run, sentences = group.runs[0], []
     for team in TEAMS:
-        words = sentence_of(group.runs[0], team)
+        words = sentence_of(run, team)
         if words:
             sentences.append(words)
+            evolved = run.policy(team, seed=0)
+            if isinstance(evolved.policy, Program):
+                sentences.append(f"rating = {evolved.policy.expression(evolved.genome)}")
     if sentences:
         console.print_head(f"What evolved: {group.name}, seed {group.seeds[0]}")
         console.print_wrapped("\n".join(sentences))

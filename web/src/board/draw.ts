@@ -2,6 +2,8 @@
 
 import { drawAgents } from "./agents.ts";
 import { drawBounces, drawPlan } from "./arrows.ts";
+import { drawInputs, drawSigns } from "./inputs.ts";
+import type { ShownInputs } from "./inputs.ts";
 import {
   drawAxes,
   drawContested,
@@ -31,6 +33,8 @@ export interface Look {
   readonly viewers: readonly number[];
   /** Actions that agents are about to take, drawn while no step is. */
   readonly plan: Numbers | null;
+  /** The inputs of a move, drawn while no step is. */
+  readonly inputs: ShownInputs | null;
   /** An agent that is marked, and a cell that the keyboard has reached. */
   readonly selected: number | null;
   readonly cursor: Cell | null;
@@ -45,6 +49,7 @@ export const PLAIN: Look = {
   trail: 6,
   viewers: [],
   plan: null,
+  inputs: null,
   selected: null,
   cursor: null,
   you: null,
@@ -68,6 +73,8 @@ export function draw(sheet: Sheet, recording: Recording, time: number, look: Loo
   drawObstacles(sheet, recording);
   if (look.axes) drawAxes(sheet, ratio);
   drawTrails(sheet, recording, time, look.trail, poses);
+  const inputs = still ? look.inputs : null;
+  if (inputs) drawInputs(sheet, recording, inputs);
   drawContested(sheet, moment.contested ?? [], strength);
   drawMarks(sheet, recording, time);
   drawBounces(sheet, recording, step, strength);
@@ -79,6 +86,7 @@ export function draw(sheet: Sheet, recording: Recording, time: number, look: Loo
   // What evaders look like changes at the end of a step, when captures are judged.
   const shown = still ? moment : recording.moments[Math.max(0, step - 1)]!;
   drawAgents(sheet, recording, shown, poses, look.numbers, ratio);
+  if (inputs) drawSigns(sheet, recording, inputs);
   if (still && look.plan) {
     for (const [agent, pose] of poses.entries()) {
       if (pose.alpha) drawPlan(sheet, recording, agent, cellOf(moment, agent), pose, look.plan[agent] ?? 0);

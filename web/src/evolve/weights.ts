@@ -72,10 +72,13 @@ export class Weights {
   show(run: GrowingRun): void {
     if (run !== this.#run) this.#own = null;
     this.#run = run;
-    const { policy } = run.teams.pursuer;
-    this.element.hidden = policy?.kind !== "rating" || run.newest < 1;
-    if (policy?.kind !== "rating" || this.element.hidden) return;
-    if (!this.#own) this.#teams.replaceChildren(...TEAMS.map((team) => this.#team(team, policy.inputs)));
+    const teams = TEAMS.flatMap((team) => {
+      const { policy } = run.teams[team];
+      return policy?.kind === "rating" ? [[team, policy.inputs] as const] : [];
+    });
+    this.element.hidden = !teams.length || run.newest < 1;
+    if (this.element.hidden) return;
+    if (!this.#own) this.#teams.replaceChildren(...teams.map((each) => this.#team(...each)));
     this.#tell();
   }
 

@@ -24,7 +24,7 @@ export type Curve = readonly (number | null)[];
 /** What rates moves by named inputs. */
 export type RatesMoves = RatingPolicy | ProgramPolicy;
 
-/** Weights by input; those of 0 are left out. */
+/** Weights by input; those of programs that are 0 are left out. */
 export type WeightsOf = Readonly<Partial<Record<InputName, number>>>;
 
 export interface TeamData {

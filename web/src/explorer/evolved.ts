@@ -6,7 +6,7 @@ import type { Team } from "../engine/teams.ts";
 import type { InputName, TeamPolicy } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
 import { policyOf, programOf, ratesMoves, weightsOf, whyNot } from "./data.ts";
-import type { Run } from "./data.ts";
+import type { Run, WeightsOf } from "./data.ts";
 import { capital, signed } from "./format.ts";
 import { gameWords, generationName } from "./game.ts";
 import { card } from "./panel.ts";
@@ -48,14 +48,7 @@ function shownPolicy(run: Run, team: Team, generation: number, policy: TeamPolic
   const weights = weightsOf(policy, program);
   return [
     ...(program ? [html("p", {}, html("code", {}, program.expression))] : []),
-    ...(weights
-      ? [
-          bars(
-            team,
-            policy.inputs.map((input) => [input, weights[input] ?? 0]),
-          ),
-        ]
-      : []),
+    ...(weights ? [bars(team, weights)] : []),
     ...(policy.kind === "rating" && policy.hidden.length
       ? [
           html(
@@ -69,12 +62,13 @@ function shownPolicy(run: Run, team: Team, generation: number, policy: TeamPolic
 }
 
 /** Return weights of inputs as bars. */
-function bars(team: Team, weights: readonly (readonly [input: InputName, weight: number])[]): HTMLElement {
-  const most = Math.max(...weights.map(([, weight]) => Math.abs(weight))) || 1;
+function bars(team: Team, weights: WeightsOf): HTMLElement {
+  const all = Object.entries(weights) as [InputName, number][];
+  const most = Math.max(...all.map(([, weight]) => Math.abs(weight))) || 1;
   return html(
     "div",
     { class: "weights" },
-    ...weights.flatMap(([input, weight]) => {
+    ...all.flatMap(([input, weight]) => {
       const bar = html("span", { class: `bar ${team}${weight < 0 ? " below" : ""}` });
       bar.style.width = `${(50 * Math.abs(weight)) / most}%`;
       return [

@@ -89,6 +89,9 @@ Object.assign(window, {
     get pace() {
       return match.player.pace;
     },
+    get inputs() {
+      return match.inputs;
+    },
     get playing() {
       return takeOver.view;
     },

@@ -3,6 +3,8 @@
 
 import { Board, stillMotion } from "../board/board.ts";
 import { recordingOf } from "../board/from_engine.ts";
+import { legendOfInputs } from "../board/inputs.ts";
+import type { ShownInputs } from "../board/inputs.ts";
 import { legend } from "../board/legend.ts";
 import { FITTING, Player } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
@@ -36,6 +38,8 @@ export class MatchPanel {
   /** The match that is shown; null until the engine has played one. */
   match: Match | null = null;
   recording: Recording | null = null;
+  /** The inputs of a move that are on the board. */
+  inputs: ShownInputs | null = null;
   /** What can be done with the match that is shown. */
   readonly actions: HTMLElement;
   readonly #board: Board;
@@ -51,6 +55,8 @@ export class MatchPanel {
     "aria-label": "What happened in this step",
   });
   readonly #problem = html("p", { class: "problem", role: "alert" });
+  /** What is drawn of the inputs of moves. */
+  readonly #signs = html("div", { class: "signs" });
   /** What a game of one's own shows. */
   readonly #shown = html("div", { class: "shown", "aria-live": "polite" });
   #engine: Engine | null = null;
@@ -66,12 +72,17 @@ export class MatchPanel {
     this.#store = store;
     const canvas = html("canvas", {
       "aria-label": "The match",
-      onclick: ({ clientX, clientY }: MouseEvent) =>
-        this.inspector.choose(this.#board.agentAt(clientX, clientY)),
+      onclick: ({ clientX, clientY }: MouseEvent) => this.#press(clientX, clientY),
+      onpointermove: ({ clientX, clientY, pointerType }: PointerEvent) =>
+        pointerType === "mouse" && this.#point(clientX, clientY),
+      onpointerleave: () => this.inspector.point(null, null),
     });
     this.#board = new Board(canvas, { numbers: false });
     this.#strip = new EpisodeStrip(store);
-    this.inspector = new Inspector((agent) => this.#look(agent));
+    this.inspector = new Inspector(
+      (agent) => this.#look(agent),
+      (inputs) => (this.#board.look = { inputs: (this.inputs = inputs) }),
+    );
     this.actions = html(
       "div",
       { class: "match-actions" },
@@ -97,7 +108,15 @@ export class MatchPanel {
         this.#problem,
         this.#shown,
         html("div", { class: "stage" }, canvas),
-        html("div", { class: "aside" }, this.#words, legend(), this.actions, this.inspector.element),
+        html(
+          "div",
+          { class: "aside" },
+          this.#words,
+          legend(),
+          this.#signs,
+          this.actions,
+          this.inspector.element,
+        ),
         playerBar(this.player),
         this.#strip.element,
       ),
@@ -198,6 +217,17 @@ export class MatchPanel {
     this.#begin();
   }
 
+  /** The signs of the inputs that the teams have. */
+  #legend(): HTMLElement[] {
+    const { teams, world } = this.#run;
+    const inputs = TEAMS.flatMap((team) => {
+      const { policy } = teams[team];
+      return policy && policy.kind !== "cells" ? policy.inputs : [];
+    });
+    const turns = world !== null && world.rules.interaction !== "SIMULTANEOUS";
+    return legendOfInputs([...new Set(inputs)], turns);
+  }
+
   /** Tell tests what is shown. */
   #say({ run, pursuer, evader, episode, seed }: Selection): void {
     this.element.dataset["played"] = `${run} ${pursuer} ${evader} ${episode} ${seed ?? ""}`;
@@ -234,6 +264,7 @@ export class MatchPanel {
       "of-ratings",
       TEAMS.some((team) => ratesMoves(this.#run, team)),
     );
+    this.#signs.replaceChildren(...this.#legend());
     const [pursuers, evaders] = this.names(this.#store.selected);
     const place =
       seed === null
@@ -276,6 +307,18 @@ export class MatchPanel {
         html("span", { class: "muted" }, ` · step ${step}`),
       );
     }
+  }
+
+  /** Choose the agent at a point of the window, or ask about the move of the chosen one that leads there. */
+  #press(x: number, y: number): void {
+    const agent = this.#board.agentAt(x, y);
+    const cell = this.#board.cellAt(x, y);
+    if (agent === null && cell && this.inspector.askTo(cell)) return;
+    this.inspector.choose(agent);
+  }
+
+  #point(x: number, y: number): void {
+    this.inspector.point(this.#board.cellAt(x, y), this.#board.agentAt(x, y));
   }
 
   #look(agent: number | null): void {

@@ -1,7 +1,7 @@
 // Why an agent takes its move: how its policy rates each one, term by term where the rating is a sum.
 
 import { INPUTS } from "../engine/tables.ts";
-import type { RatedMoves } from "../engine/types.ts";
+import type { InputName, RatedMoves } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
 import { ACTIONS } from "../page/names.ts";
 import { weightsOf } from "./data.ts";
@@ -11,28 +11,31 @@ import { signed } from "./format.ts";
 /** Stand for the actions where there is little room. */
 const ARROWS = ["stay", "↑", "→", "↓", "←", "↗", "↘", "↙", "↖"];
 
+/** Return the inputs that a policy reads, those of weighted sums by the size of their weights. */
+export function inputsRead(policy: RatesMoves, program: ProgramText | null): InputName[] {
+  const weights = weightsOf(policy, program);
+  if (weights) {
+    const size = (input: InputName): number => Math.abs(weights[input] ?? 0);
+    return policy.inputs.filter(size).sort((a, b) => size(b) - size(a));
+  }
+  return policy.inputs.filter((input) => !program || new RegExp(`\\b${input}\\b`).test(program.expression));
+}
+
 /**
  * Return a table with a column for each move: the rating, and below it of a weighted sum the terms,
  * weight times input, the largest weights first, of other policies the inputs that they read. What
- * is the same for all moves decides nothing.
+ * is the same for all moves decides nothing. The move that is `asked` is on the board.
  */
 export function whyTable(
   policy: RatesMoves,
   { inputs, ratings, refused }: RatedMoves,
   taken: number | null,
+  asked: number | null,
   program: ProgramText | null,
 ): HTMLElement[] {
   const weights = weightsOf(policy, program);
-  const weightOf = (input: number): number => (weights ? (weights[policy.inputs[input]!] ?? 0) : 1);
-  const reads = (input: number): boolean =>
-    weights || !program
-      ? weightOf(input) !== 0
-      : new RegExp(`\\b${policy.inputs[input]}\\b`).test(program.expression);
-  const read = [...policy.inputs.keys()]
-    .filter(reads)
-    .sort((a, b) => Math.abs(weightOf(b)) - Math.abs(weightOf(a)));
   const style = (move: number): string =>
-    `${move === taken ? "taken" : ""} ${refused[move] ? "refused" : ""}`;
+    `${move === taken ? "taken" : ""} ${refused[move] ? "refused" : ""} ${move === asked ? "asked" : ""}`;
   const row = (head: HTMLElement, numbers: Float32Array): HTMLElement =>
     html(
       "tr",
@@ -40,13 +43,10 @@ export function whyTable(
       head,
       ...Array.from(numbers, (number, move) => html("td", { class: style(move) }, signed(number))),
     );
-  const name = (input: number): HTMLElement => {
-    const each = policy.inputs[input]!;
-    return html(
-      "th",
-      { scope: "row", title: `${weights ? `weight ${signed(weightOf(input))} x ` : ""}${INPUTS[each]}` },
-      each.replaceAll("_", " "),
-    );
+  const name = (input: InputName): HTMLElement => {
+    const weight = weights ? `weight ${signed(weights[input]!)} x ` : "";
+    const title = `${weight}${INPUTS[input]}`;
+    return html("th", { scope: "row", title }, input.replaceAll("_", " "));
   };
   const table = html(
     "table",
@@ -71,12 +71,14 @@ export function whyTable(
     html(
       "tbody",
       {},
-      ...read.map((input) =>
-        row(
+      ...inputsRead(policy, program).map((input) => {
+        const weight = weights ? weights[input]! : 1;
+        const values = inputs[policy.inputs.indexOf(input)]!;
+        return row(
           name(input),
-          inputs[input]!.map((number) => weightOf(input) * number),
-        ),
-      ),
+          values.map((value) => weight * value),
+        );
+      }),
     ),
   );
   return [

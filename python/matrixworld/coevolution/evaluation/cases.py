@@ -154,9 +154,9 @@ def _limit_in_words(team: Team, program: Program, name: str, limit: float, *, be
 
 def _values_of(program: Program, name: str) -> NDArray[np.float32]:
     """Return the values that an input can have, those of counts from 0 on."""
-    if name == "exits":
-        most = program.n_actions - 1
-        return np.linspace(0, 1, most + 1, dtype=np.float32)
+    if TESTS[name].unit == "cell":
+        most = program.n_actions - (name == "exits")
+        return np.asarray(np.arange(most + 1, dtype=np.float32) / np.float32(most))
     unit, most = np.float32(1), 1
     if TESTS[name].unit == "move":
         unit, most = np.float32(2) / np.float32(program.fov), program.fov

@@ -119,11 +119,7 @@ def sentence_of(run: StoredRun, team: Team) -> str:
         return ""
     policy = run.policy(team, seed=0)
     opponents, _ = opponents_in(run, team, game.world)
-    words, _ = sentence_and_terms(Trials(policy, team, game.world, opponents))
-    shape = policy.policy
-    if isinstance(shape, Program):
-        words += f" rating = {shape.expression(policy.genome)}"
-    return words
+    return sentence_and_terms(Trials(policy, team, game.world, opponents))[0]
 
 
 def sentence_and_terms(trials: Trials) -> tuple[str, list[Term]]:
