@@ -84,7 +84,10 @@ export const INPUTS = {
   "room": "distance to the nearest obstacle to the north, east, south or west (0 to 1, in half views)",
   "must_yield": "1 if right of way forbids the move (0 to 1)",
   "ahead": "1 if it is the direction that the agent draws for each 12 steps (0 to 1)",
-  "search": "1 if it leads on along the way on which an agent of team-surrounder searches the grid (0 to 1)"
+  "search": "1 if it leads on along the way on which an agent of team-surrounder searches the grid (0 to 1)",
+  "escapes": "share of the cells that an evader may be on after its next move which hold no obstacle and which no pursuer in view reaches in one move: of the nearest adversary, or an evader's own (0 to 1)",
+  "opposite": "(1 - cosine) / 2 of the angle at the nearest adversary between the agent and the teammate nearest to it; for an evader, of the angle at itself between its two nearest adversaries (0 to 1)",
+  "parity": "1 if the distance to the nearest adversary is odd (0 to 1)"
 } as const;
 
 /** Characters of passable and of impassable cells in a map. */
