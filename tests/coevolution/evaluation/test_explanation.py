@@ -64,6 +64,34 @@ def test_sentences(team, moved, expected):
     assert [*effects.PHRASES] == [*mw.INPUTS]
 
 
+# The input, its weight, and what a pursuer and an evader do by it.
+DEEDS = [
+    ("exits", 1, "prefers open cells", "prefers open cells"),
+    ("room", -1, "keeps to walls", "keeps to walls"),
+    ("escapes", -1, "closes evaders' ways out", "gives up ways out"),
+    ("escapes", 1, "leaves evaders ways out", "keeps ways out"),
+    ("opposite", 1, "stands opposite a teammate", "stands between pursuers"),
+    ("opposite", -1, "stands on the same side as a teammate", "keeps pursuers on one side"),
+    ("parity", -1, "keeps even distances", "keeps even distances"),
+    ("parity", 1, "keeps odd distances", "keeps odd distances"),
+]
+
+
+@pytest.mark.parametrize(("name", "weight", "pursuer", "evader"), DEEDS)
+def test_what_is_said_is_done(name, weight, pursuer, evader):
+    """The input of the cells that it moves to is less, or more, than that of other cells."""
+    acts = rating([weight], (name,))
+    seen = inputs_seen(600)
+    moves = acts(seen)
+    x = seen[..., NAMES.index(name)]
+    mean = (x * acts.allowed(seen)).sum(axis=1) / acts.allowed(seen).sum(axis=1)
+    of_moves = np.take_along_axis(x, moves[:, None], axis=1)[:, 0]
+    assert weight * (of_moves - mean).mean() > 0.01
+    for team, does in (("pursuer", pursuer), ("evader", evader)):
+        told = explanation.explain(acts, team, WORLD, episodes=2)
+        assert told.sentence == effects.in_words(team, f"{{A}} {team} {does}.")
+
+
 @pytest.mark.parametrize(("team", "weight", "said"), [("pursuer", -1, 0), ("evader", 1, 1)])
 def test_a_chaser_and_a_fleer_are_told(team, weight, said):
     """Of two inputs, one of which does nothing."""
@@ -290,13 +318,16 @@ LIMITS = [
     ("0.5 < exits", "more than 2 cells around it are free"),
     ("must_yield", "right of way forbids the move"),
     ("ahead < 1", "the move leaves its direction"),
+    ("escapes < 0.5", "at most 2 cells are ways out"),
+    ("0.6 < escapes", "more than 3 cells are ways out"),
+    ("parity", "the distance to the nearest evader is odd"),
 ]
 
 
 @pytest.mark.parametrize(("test", "expected"), LIMITS)
 def test_the_limits_of_cases_are_those_of_the_program(test, expected):
     """Its words hold for the very moves for which the test does: by numbers of moves and cells."""
-    policy = mw.Program.for_config(WORLD)
+    policy = mw.Program.for_config(WORLD, inputs=tuple(mw.INPUTS))
     test = test.replace("2 / 7 exactly", str(np.float32(2) / np.float32(7)))
     acts = mw.RatingPolicy(policy, policy.genome(f"where({test}, exits, room)"))
     world = replace(WORLD, obstacles=0.1)
@@ -305,11 +336,13 @@ def test_the_limits_of_cases_are_those_of_the_program(test, expected):
     seen = inputs_seen(600)
     name = next(name for name in mw.INPUTS if name in test)
     x = seen[..., NAMES.index(name)].astype(float)
-    counts = {"exits": 4 * x, "must_yield": x, "ahead": x}.get(name, x * 7 / 2).round().astype(int)
+    units = {"exits": 4, "escapes": 5, "must_yield": 1, "ahead": 1, "parity": 1}
+    counts = (units.get(name, 7 / 2) * x).round().astype(int)
     [number] = [int(word) for word in expected.split() if word.isdigit()] or [0]
-    is_at_most = "no " not in expected and "more" not in expected and "forbids" not in expected
+    is_more = "no " in expected or "more" in expected
+    is_more |= expected.endswith(("forbids the move", "odd"))
     holds = policy.rate(policy.genome(f"where({test}, 1, 0)"), seen) > 0
-    np.testing.assert_array_equal(holds, (counts <= number) == is_at_most)
+    np.testing.assert_array_equal(holds, (counts > number) == is_more)
 
 
 def test_parts_of_a_program_that_are_worth_nothing_are_left_out():

@@ -52,6 +52,10 @@ TESTS: dict[str, Test] = {
     "must_yield": Test("right of way allows the move", "right of way forbids the move"),
     "ahead": Test("the move leaves its direction", "the move keeps its direction"),
     "search": Test("the move leaves its way of searching", "the move follows its way of searching"),
+    "escapes": Test("at most {n} are ways out", "more than {n} are ways out", "cell"),
+    "parity": Test(
+        "the distance to the nearest {foe} is not odd", "the distance to the nearest {foe} is odd"
+    ),
 }
 """Tests of single inputs; all others are told as expressions."""
 
