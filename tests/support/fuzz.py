@@ -95,7 +95,7 @@ CHOICES = {
     "n_pursuers": (1, 2, 5),
     "obstacles": (0.0, 0.1),
     "diagonal": (False, True),
-    "learner.measure": ("captured-fraction", "capture-rate", "rewards"),
+    "learner.measure": ("captured-fraction", "capture-rate", "rewards", "guarantee"),
     "learner.cost_limit": (None, 20.0),
     "sigma": (0.1, 1e-9, 1e4, 1e16),
     "population": (2, 4, 7),

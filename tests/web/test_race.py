@@ -153,7 +153,7 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(par
     assert run.finished
     assert run.settings == last
     assert read_json(create(last, tmp_path / "of python").path / CONFIG).keys() <= run.config.keys()
-    assert run.facts == Facts.of(last.game)
+    assert run.facts == Facts.of(last.game, last.known)
     payoff = run.payoff()
     teams = run.teams["pursuer"], run.teams["evader"]
     again = tournament(last.game.world, *teams, seed=last.seed, episodes=3, threads=1)

@@ -224,7 +224,8 @@ def _match_of_run(run: SavedRun, chosen: Mapping[str, Any], episode: int) -> Epi
     pursuers, g = _player(config, run, "pursuer", chosen.get("pursuer", "-1"))
     evaders, h = _player(config, run, "evader", chosen.get("evader", "-1"))
     seed = evaluation_seed(run.settings.seed, g, h)
-    return record(config, pursuers, evaders, seed=seed, pursuer=g, evader=h, episode=episode)
+    sides = pursuers, evaders
+    return run.pursuit.record(*sides, seed=seed, pursuer=g, evader=h, episode=episode)
 
 
 def _new_match(rules: Rules, chosen: Mapping[str, Any], episode: int) -> Episode:

@@ -200,6 +200,9 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
     last = groups[-1].runs[-1]
     schedule = last.settings.schedule
     path = root if sum(len(group.runs) for group in groups) == 1 else last.path
+    if last.settings.exact:
+        best = console.command("solve --run", path)
+        return [("Watch it:", console.command("replay", path)), ("Beside perfect play:", best)]
     if isinstance(schedule, Against):
         team = f"--set schedule.team={other(schedule.team)}"
         met = f"--set schedule.opponent={shlex.quote(str(path))}"

@@ -140,9 +140,11 @@ def _solve_runs(group: RunGroup, threads: int | None, bar: ProgressBar) -> dict[
 
 def _exact_scores(states: States, run: SavedRun, champion: Team, value: float) -> ExactScores:
     """Return the scores against the last generation of a run; `value` is that of perfect play."""
-    last = expected_payoff(states, run.last("pursuer"), run.last("evader"))
-    met = _score(last, champion)
     best = _score(best_response(states, run.last(champion), champion).value, champion)
+    met = best
+    if not run.settings.exact:  # there the best response is what it met
+        last = expected_payoff(states, run.last("pursuer"), run.last("evader"))
+        met = _score(last, champion)
     return ExactScores(met, best, best - met, best - _score(value, champion))
 
 

@@ -108,7 +108,7 @@ class RunGroup:
         Means over the seeds; those of a single run have their intervals over its episodes.
         """
         rows = [run.summary() for run in self.runs]
-        game = self.runs[0].settings.game.known
+        game = self.runs[0].settings.known
         other = ("other_score",) if game.general else ()
         names = (next(iter(game.columns)), *other, *game.single)
         if len(rows) > 1:

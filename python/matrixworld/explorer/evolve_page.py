@@ -74,7 +74,7 @@ def evolve_data() -> dict[str, Any]:
     return {
         "version": __version__,
         "format": FORMAT,
-        "game": Facts.of(race_of().game)._asdict(),
+        "game": Facts.of(race_of().game, race_of().known)._asdict(),
         "worlds": {name: world_of(name).to_json() for name in PARTS["worlds"]},
         "races": {
             policy: {

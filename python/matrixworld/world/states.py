@@ -85,11 +85,10 @@ class States:
         self.numbered = checks.check_bool("numbered", numbered)
         self.threads = checks.check_threads(threads)
         self.report = report
-        if config.density:
-            raise ValueError(
-                "obstacles: expected none or a map, got obstacles that each episode draws anew"
-            )
-        _check_size(config, numbered)
+        if got := why_not_solved(config, numbered=numbered):
+            most = f"states: expected at most {_MOST_BYTES / 10**9:,.1f} GB"
+            expected = "obstacles: expected none or a map" if config.density else most
+            raise ValueError(f"{expected}, got {got}")
         report_states = self.reporter("states")
         self.core = _core.States(
             config.setup, self.threads, _count(config, numbered), report_states, numbered
@@ -358,11 +357,15 @@ def _size(config: WorldConfig, numbered: bool = False) -> tuple[float, float]:
     return count * len(joint_actions), _INDEX * numbers
 
 
-def _check_size(config: WorldConfig, numbered: bool) -> None:
-    """Raise ValueError if there are too many states, and say which board would be small enough."""
+def why_not_solved(config: WorldConfig, *, numbered: bool = False) -> str:
+    """Return why the states of a world cannot be listed, with their size; empty if they can."""
+    agents = f"{config.n_pursuers} against {config.n_evaders} agents"
+    board = f"{agents} on {config.rows} x {config.cols} cells"
+    if config.density:
+        return f"obstacles that each episode draws anew, for {board}"
     count, needed = _size(config, numbered)
     if needed <= _MOST_BYTES:
-        return
+        return ""
     most = isqrt(config.rows * config.cols) if config.n_agents <= _MOST_AGENTS else 0
     sides = range(most, isqrt(config.n_agents), -1)
     boards = (replace(config, rows=side, cols=side, obstacles=0.0) for side in sides)
@@ -370,8 +373,4 @@ def _check_size(config: WorldConfig, numbered: bool) -> None:
     largest = next(fitting, None)
     would = f"{largest} x {largest} cells would fit" if largest else "no smaller board would fit"
     size = f"about {count:,} states and {needed / 10**9:,.1f} GB"
-    raise ValueError(
-        f"states: expected at most {_MOST_BYTES / 10**9:,.1f} GB, got "
-        f"{size if count < inf else 'more than 2^31 joint places'} for {config.n_pursuers} "
-        f"against {config.n_evaders} agents on {config.rows} x {config.cols} cells; {would}"
-    )
+    return f"{size if count < inf else 'more than 2^31 joint places'} for {board}; {would}"

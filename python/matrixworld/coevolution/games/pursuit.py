@@ -60,10 +60,14 @@ from matrixworld.world.rules import REWARDS, VARIANTS, Outcome, Rewards, Rules, 
 from matrixworld.world.rules import Interaction as Interaction
 
 REWARDED = "rewards"
-FITNESS = ("captured-fraction", "capture-rate", REWARDED)
+GUARANTEE = "guarantee"
+FITNESS = ("captured-fraction", "capture-rate", REWARDED, GUARANTEE)
 """Measures: of the captured evaders the share averaged over the steps, in which fast captures count
-more, or the share at the end, both in [0, 1] (of the evaders 1 minus those of the pursuers); and
-the rewards summed over the team and the steps (not zero-sum)."""
+more, or the share at the end, both in [0, 1] (of the evaders 1 minus those of the pursuers); the
+rewards summed over the team and the steps (not zero-sum); and the share at the end against the best
+response, exactly (`games.guarantee`)."""
+BEST_RESPONSE = "best-response"
+"""The opponent of a team that learns on what it guarantees: the best that anybody can do."""
 
 WORLD_HELP = {
     "rules": "game variant, a name such as O, or its rules one by one",
@@ -388,6 +392,6 @@ class Pursuit(Game):
         """Play matches again for a learner by gradients; see `matrixworld.play.experience`."""
         return experience(self.world, team, *matches, **options)
 
-    def record(self, pursuers: TeamPolicy, evaders: TeamPolicy, **match: Any) -> Episode:
+    def record(self, pursuers: Any, evaders: Any, **match: Any) -> Episode:
         """Record an episode; see `matrixworld.record`."""
         return record(self.world, pursuers, evaders, **match)

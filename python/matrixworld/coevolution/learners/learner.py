@@ -248,7 +248,10 @@ class Evolutionary(Learner):
     """Base of learners that select candidates by their fitness."""
 
     measure: str = setting(
-        FITNESS[0], f"what candidates are selected by: {', '.join(FITNESS)}", OneOf(FITNESS)
+        FITNESS[0],
+        f"what candidates are selected by: {', '.join(FITNESS)} (of one team alone, in a world "
+        "that can be solved)",
+        OneOf(FITNESS),
     )
     cost_limit: float | None = setting(
         None,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from matrixworld.coevolution.games.game import GameSettings
+from matrixworld.coevolution.games.game import Game, GameSettings
 from matrixworld.coevolution.types import LOGGED
 
 TYPES: dict[str, type] = {"int": int, "float": float, "str": str}
@@ -31,12 +31,12 @@ class Facts(NamedTuple):
         return self.teams[0] == self.teams[1]
 
     @classmethod
-    def of(cls, game: GameSettings) -> Facts:
-        """Return the facts of a game."""
-        columns = {**LOGGED, **game.known.columns}
+    def of(cls, settings: GameSettings, game: Game) -> Facts:
+        """Return the facts of a game that is raced by these settings."""
+        columns = {**LOGGED, **game.columns}
         type_names = {name: kind.__name__ for name, kind in columns.items()}
-        score, _ = game.known.score_words
-        return cls(game.teams, game.keys, game.deterministic, score, type_names)
+        score, _ = game.score_words
+        return cls(settings.teams, settings.keys, game.deterministic, score, type_names)
 
     @classmethod
     def read(cls, plain: Mapping[str, Any]) -> Facts:

@@ -40,14 +40,16 @@ def evaluate(training: Training, known: Payoff | None, report: Report) -> Payoff
 def finalists_of(training: Training) -> dict[Team, tuple[Any, int]]:
     """Return who plays the evaluation for each team, and the generation of the first.
 
-    Of a race all generations of both teams; of a team alone its last one, and all its opponents.
+    Of a race all generations of both teams; of a team alone its last one, and all its opponents, or
+    all its generations against the best response.
     """
     schedule = training.settings.schedule
     if not isinstance(schedule, Against):
         return {team: (training.population(team, training.genomes(team)), 0) for team in TEAMS}
     team = schedule.team
-    last = training.population(team, training.archive[team][-1][np.newaxis])
-    return {team: (last, schedule.n_stages), other(team): (training.opponents(team), 0)}
+    first = 0 if training.settings.exact else schedule.n_stages
+    own = training.population(team, training.genomes(team)[first:])
+    return {team: (own, first), other(team): (training.opponents(team), 0)}
 
 
 def disengagements_of(training: Training, stage_scores: list[float]) -> tuple[Disengagement, ...]:
@@ -77,17 +79,19 @@ def summary_of(training: Training, stage_scores: list[float], payoff: Payoff) ->
 
 
 def _means_of(training: Training, payoff: Payoff) -> dict[str, Any]:
-    """Return the mean score and, of pursuit, length with intervals over the episodes.
+    """Return the last generation's mean score and, of episodes of pursuit, length, with intervals.
 
     The keys of a number are its name, and ``<name>_low``, ``<name>_high`` and ``<name>_std``.
     """
     score, *_ = training.game.columns
-    rows = [(score, payoff.scores, 1.0)]
+    pursuers = "pursuer" in training.settings.learning_teams
+    last = np.s_[-1:] if pursuers else np.s_[:, -1:]
+    rows = [(score, payoff.scores[last], 1.0)]
     if payoff.others is not None:
-        rows.append(("other_score", payoff.others, 1.0))
+        rows.append(("other_score", payoff.others[last], 1.0))
     game = training.settings.game
-    if isinstance(game, PursuitSettings):
-        rows.append(("length", payoff.extras["lengths"], game.world.max_steps))
+    if isinstance(game, PursuitSettings) and not training.settings.exact:
+        rows.append(("length", payoff.extras["lengths"][last], game.world.max_steps))
     means: dict[str, Any] = {}
     for name, episodes, most in rows:
         values = np.asarray(episodes, dtype=np.float64).ravel()

@@ -57,12 +57,12 @@ class RunWriter(StoredRun):
         self.config = {
             "format": FORMAT,
             "matrixworld": __version__,
-            "game": Facts.of(settings.game)._asdict(),
+            "game": Facts.of(settings.game, settings.known)._asdict(),
             "settings": settings.to_json(),
             **more,
         }
         files.save_json(self.path / CONFIG, self.config)
-        counters = ("matches", *settings.game.known.counters)
+        counters = ("matches", *settings.known.counters)
         self.save(0, archive, [], dict.fromkeys(counters, 0), states)
 
     def change(self, settings: RaceSettings) -> None:

@@ -25,9 +25,16 @@ from matrixworld._util.sections import (
     setting,
 )
 from matrixworld.coevolution.games.game import Game, GameSettings
+from matrixworld.coevolution.games.guarantee import Guaranteed, check_guarantee
 from matrixworld.coevolution.games.own_game import OwnGame
 from matrixworld.coevolution.games.policies import Cells, PolicySettings
-from matrixworld.coevolution.games.pursuit import SCRIPTS, PursuitSettings, is_path
+from matrixworld.coevolution.games.pursuit import (
+    BEST_RESPONSE,
+    GUARANTEE,
+    SCRIPTS,
+    PursuitSettings,
+    is_path,
+)
 from matrixworld.coevolution.learners import ActorCritic, EvolutionStrategy, OwnLearner
 from matrixworld.coevolution.learners.learner import Learner, Task
 from matrixworld.coevolution.opponents import NashOpponents
@@ -45,6 +52,7 @@ from matrixworld.coevolution.settings.usual import (
     COURTYARD,
     DEFAULTS,
     EPOCHS,
+    GUARANTEED,
     HALL,
     PAPER,
     POLICY,
@@ -240,14 +248,17 @@ class RaceSettings(Section):
         """Raise SettingError unless all sections fit together."""
         if self.chosen is None:
             self._check_effect(self.values().keys())
+        # One of your own is not imported yet.
+        known = {self.learner_path(t): self.learner_settings(t) for t in self.learning_teams}
+        learners = {path: each for path, each in known.items() if isinstance(each, Learner)}
+        for path, learner in learners.items():
+            self._check_measure(path, getattr(learner, "measure", ""))
         if isinstance(self.game, PursuitSettings):
             self._check_pursuit(self.game)
         else:
             self._check_own_game()
-        for team in self.learning_teams:
-            learner = self.learner_settings(team)
-            if isinstance(learner, Learner):  # one of your own is not imported yet
-                learner.check_race(self.learner_path(team), self.game)
+        for path, learner in learners.items():
+            learner.check_race(path, self.game)
 
     def _check_effect(self, chosen: Collection[str]) -> None:
         """Raise SettingError for a value of a path in `chosen` that has no effect."""
@@ -272,6 +283,9 @@ class RaceSettings(Section):
                 yield f"{path}.measure", "in a game of your own"
                 yield f"{path}.cost_limit", "in a game of your own"
             return
+        if self.exact:
+            for name in ("train_steps", *(f"{path}.cost_limit" for path in learners)):
+                yield name, f"with the measure {GUARANTEE}"
         policy = self.game.policy
         if isinstance(policy, Cells) and not policy.hidden:
             for name in ("activation", "memory", "initial_weight"):
@@ -287,6 +301,9 @@ class RaceSettings(Section):
             raise SettingError("schedule", "a race of two teams in pursuit", SelfPlay.kind)
         if isinstance(self.schedule, Against):
             game.check_script("schedule.opponent", self.schedule.opponent)
+        if self.exact:
+            check_guarantee(game)
+            self._check_one_episode(f"with the measure {GUARANTEE}")
         game.check_learning(pursuers_learn="pursuer" in self.learning_teams)
         learners = map(self.learner_settings, self.learning_teams)
         is_rewarded = any(getattr(learner, "rewarded", True) for learner in learners)
@@ -302,11 +319,28 @@ class RaceSettings(Section):
             raise SettingError(
                 "schedule.opponent", expected, f"the script {self.schedule.opponent}"
             )
+        if self.game.deterministic:
+            self._check_one_episode(f"in a game that is deterministic ({name})")
+
+    def _check_one_episode(self, where: str) -> None:
+        """Raise SettingError for several episodes where all of them are equal."""
         for path in ("match_episodes", "evaluation_episodes"):
-            episodes = getattr(self, path)
-            if self.game.deterministic and episodes != 1:
-                expected = f"no value in a game that is deterministic ({name})"
-                raise SettingError(path, expected, str(episodes))
+            if (episodes := getattr(self, path)) != 1:
+                raise SettingError(path, f"no value {where}", str(episodes))
+
+    def _check_measure(self, path: str, measure: str) -> None:
+        """Raise SettingError unless who learns on a guarantee meets the best response alone."""
+        guaranteed = measure == GUARANTEE
+        if guaranteed == self.exact or not isinstance(self.game, PursuitSettings):
+            return
+        if not guaranteed:
+            expected = f"another one without the measure {GUARANTEE}"
+            raise SettingError("schedule.opponent", expected, BEST_RESPONSE)
+        why = f"with {path}.measure {GUARANTEE}"
+        if isinstance(self.schedule, Against):
+            got = self.schedule.opponent
+            raise SettingError("schedule.opponent", f"{BEST_RESPONSE} {why}", got)
+        raise SettingError("schedule", f"{Against.kind} {why}", self.schedule.name)
 
     def _check_population(self, name: str) -> None:
         """Raise SettingError for a schedule that needs other populations, or constant sums."""
@@ -330,6 +364,18 @@ class RaceSettings(Section):
     def is_race(self) -> bool:
         """Whether both teams learn."""
         return self.schedule.is_race
+
+    @property
+    def exact(self) -> bool:
+        """Whether a team alone meets the best response: what it guarantees is its score."""
+        schedule = self.schedule
+        meets_it = isinstance(schedule, Against) and schedule.opponent == BEST_RESPONSE
+        return meets_it and isinstance(self.game, PursuitSettings)
+
+    @property
+    def known(self) -> Game:
+        """What is known of the game that is raced without an import."""
+        return self.evaluation_game if self.exact else self.game.known
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:
@@ -395,6 +441,7 @@ class RaceSettings(Section):
                 kinds = kinds_of(self.values())
                 own: Learner = learner.load(partial(_usual_of_own_learner, kinds))
                 own.check_race(path, self.game)
+                self._check_measure(path, getattr(own, "measure", ""))
                 learners[path] = own
             elif isinstance(learner, Learner):
                 learners[path] = learner
@@ -422,11 +469,17 @@ class RaceSettings(Section):
     @cached_property
     def evaluation_game(self) -> Game:
         """The game that is raced, as it is evaluated; imports a game of your own."""
+        if self.exact:
+            game: Any = self.game
+            [team] = self.learning_teams
+            return Guaranteed(world=game.world, settings=game.policy, team=team)
         return self.game.evaluation()
 
     @cached_property
     def training_game(self) -> Game:
         """The game in which teams learn; imports a game of your own."""
+        if self.exact:
+            return self.evaluation_game
         alone = isinstance(self.schedule, Against) and self.schedule.start is None
         return self.game.training(alone=alone)
 
@@ -486,6 +539,9 @@ def kinds_of(chosen: Mapping[str, Any]) -> Kinds:
     texts = bool(chosen.get("game.texts"))
     symmetric = bool(chosen.get("game.one_population"))
     team: Team = "evader" if chosen.get("schedule.team") == "evader" else "pursuer"
+    exact = {"learner.measure": GUARANTEE, "schedule.opponent": BEST_RESPONSE}
+    guarantee = any(chosen.get(path) == value for path, value in exact.items())
+    usual_epochs = GUARANTEED["schedule.epochs"] if guarantee else EPOCHS[team]
     epochs: Any = chosen.get("schedule.epochs")
     policy = _class_of(PolicySettings, chosen.get("policy"), POLICY[defaults])
     learner = usual_learner(defaults, policy, texts=texts)
@@ -495,12 +551,13 @@ def kinds_of(chosen: Mapping[str, Any]) -> Kinds:
         learner=_class_of(Learner, chosen.get("learner", learner), OWN),
         policy=policy,
         team=team,
-        epochs=epochs if isinstance(epochs, int) and 0 < epochs <= INT_MAX else EPOCHS[team],
+        epochs=epochs if isinstance(epochs, int) and 0 < epochs <= INT_MAX else usual_epochs,
         has_map=isinstance(chosen.get("world.obstacles"), str | list),
         own_game=chosen.get("game") is not None,
         exact=bool(chosen.get("game.exact")),
         texts=texts,
         symmetric=symmetric,
+        guarantee=guarantee,
     )
 
 

@@ -34,7 +34,7 @@ from matrixworld._util.sections import (
     setting,
 )
 from matrixworld.coevolution import opponents as samplers
-from matrixworld.coevolution.games.pursuit import SCRIPTS
+from matrixworld.coevolution.games.pursuit import BEST_RESPONSE, SCRIPTS
 from matrixworld.coevolution.learners import OwnLearner
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.types import TEAMS, Team
@@ -314,6 +314,9 @@ class Against(Schedule):
             g[k] = g[k-1], improved for `archive_every` epochs against each opponent in turn
         payoff = capture rate of the last genome against, or of, each opponent
 
+    With the learner's measure ``guarantee`` the opponent is the best response to each candidate, in
+    a world that can be solved, and the payoff has the guarantee of each g[k].
+
     The archive holds the opponents' genomes, too, if they have any, and config.json the program of
     a file of Python, so that a run does not depend on other files.
     """
@@ -324,7 +327,8 @@ class Against(Schedule):
     opponent: str = setting(
         "random",
         f"{', '.join(SCRIPTS)}, a run directory (its last generation), or another player: a file "
-        "(.py, .npz, .txt), solved, or a line such as -adversary",
+        f"(.py, .npz, .txt), solved, or a line such as -adversary; {BEST_RESPONSE} with the "
+        "measure guarantee",
     )
     start: str | None = setting(
         None, "run directory; start from its last generation instead of an untrained genome"

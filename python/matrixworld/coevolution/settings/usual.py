@@ -10,7 +10,9 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from matrixworld.coevolution.games.policies import Cells, Ratings
+from matrixworld.coevolution.games.guarantee import DRAWN
+from matrixworld.coevolution.games.policies import Cells, Programs, Ratings
+from matrixworld.coevolution.games.pursuit import BEST_RESPONSE
 from matrixworld.coevolution.learners import (
     ActorCritic,
     CmaEs,
@@ -37,6 +39,15 @@ BREEDING = "breeding"  # of games whose genomes are objects
 """The names of sections for which no other one is chosen."""
 EPOCHS: dict[Team, int] = {"pursuer": 6000, "evader": 4000}
 """Epochs of a team that learns alone."""
+GUARANTEED: dict[str, Any] = {
+    "schedule.opponent": BEST_RESPONSE,
+    "schedule.epochs": 60,
+    "schedule.archive_every": 5,
+    "evaluation_episodes": 1,
+}
+"""What is other if it learns on its guarantee, which has no chance."""
+STEPLESS = tuple(name for name in Ratings.inputs if name not in ("must_yield", *DRAWN))
+"""Inputs with which one table has all that a policy does in a world."""
 
 
 class Kinds(NamedTuple):
@@ -53,6 +64,7 @@ class Kinds(NamedTuple):
     exact: bool  # whether equal genomes of it always have equal scores
     texts: bool  # whether its genomes are objects
     symmetric: bool  # whether one population plays both sides
+    guarantee: bool  # whether a team alone learns on what it guarantees
 
 
 def usual_learner(defaults: str, policy: Any, *, texts: bool) -> str:
@@ -98,7 +110,7 @@ def usual_of_learner(kinds: Kinds) -> dict[str, Any]:
     if issubclass(kinds.schedule, AtOnce):
         values["population"] = 24  # individuals of both teams share the matches
     if issubclass(kinds.schedule, Against):
-        values["population"] = 128
+        values["population"] = 24 if kinds.guarantee else 128
         if issubclass(kinds.learner, GeneticAlgorithm):
             values["mutation"] = 0.2
         if issubclass(kinds.learner, EvolutionStrategy):
@@ -128,6 +140,10 @@ def _of_one_team(kinds: Kinds) -> dict[str, Any]:
     if kinds.policy is Cells:
         values["policy.initial_weight"] = 0.2 if pursuers else 0.05
         values["policy.initial_head"] = 0.09 if pursuers else 0.1
+    if kinds.guarantee:
+        values |= GUARANTEED
+        if issubclass(kinds.policy, Ratings | Programs):
+            values["policy.inputs"] = STEPLESS
     return values
 
 
