@@ -126,6 +126,7 @@ def grammar(quick: bool) -> list[Input]:
         for what, who, path, (cells, over), evaders in product(
             whats, WHO, paths, places, OVER_EVADERS
         )
+        if what != "there" or path == paths[0]  # with obstacles or without, nobody is elsewhere
     ]
 
 
@@ -219,7 +220,7 @@ def opposite(place: Place) -> Floats:
         mate = min(mates, key=lambda m: np.abs(m - evader).sum())
         length = np.linalg.norm(me - evader) * np.linalg.norm(mate - evader)
         cosine = (me - evader) @ (mate - evader) / length if length else 0.0
-        found[view, cell] = (1 - cosine) / 2
+        found[view, cell] = (1 - np.clip(cosine, -1, 1)) / 2
     return found
 
 

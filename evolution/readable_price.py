@@ -1,6 +1,6 @@
 """What does a policy that one can read cost? Shares of perfect play against what one must read.
 
-    python evolution/readable_price.py             about 25 minutes of one core
+    python evolution/readable_price.py             about ten minutes of one core
     python evolution/readable_price.py --quick     two worlds and small budgets, some seconds
 
 Pursuers in the 25 solved worlds of `mw.SUITE`. What a team guarantees is exact, and a *share* is
@@ -54,7 +54,7 @@ from matrixworld.solver.suite import SuiteWorld
 from policies import KINDS, RACE
 
 FOUND = Path(__file__).parent / "results" / "look_for_inputs" / "numbers.json"
-BUDGET, AGAIN, LISTS, PROGRAMS, ROWS = 2000, 200, 1000, 1440, 1000
+BUDGET, AGAIN, LISTS, PROGRAMS, ROWS = 1200, 100, 600, 720, 500
 """Evaluations: of a first search, of one after a weight is left out, of a list, a program, rows."""
 LINES, SYMBOLS = (1, 2, 4, 8), (5, 10, 20, 40)
 HIDDEN = 8
