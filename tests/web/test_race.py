@@ -50,10 +50,14 @@ RACES = {
     "mask": {**SPECIALISTS, "policy.mask": "right-of-way", "policy.hidden": [5]},
     "mask without hidden layers": {"policy.mask": "right-of-way", "policy.hidden": [], **TURNS},
     "weights of named inputs": {"policy": "rating", **TURNS},
+    "more opponents than epochs": {
+        "policy": "rating", "schedule": "generalist-generalist",
+        "schedule.pursuer_epochs": 1, "schedule.evader_epochs": 2,
+    },
     "es, both at once": {**HALL, "policy.hidden": []},
     "ga, both at once": {**HALL, "learner": "ga", "policy.hidden": [4]},
     "many at once": {**HALL, "learner.population": 160, "policy.hidden": []},
-}
+}  # fmt: skip
 
 
 needs_packages = pytest.mark.skipif(

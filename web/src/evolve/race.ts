@@ -220,6 +220,7 @@ export class Race {
 
   /** One team learns for the epochs of a generation. */
   *#learn(team: Team, generation: number): Generator<RaceEvent, void> {
+    const turn = firstTurn(team, generation, this.#epochs(team));
     for (let epoch = 0; epoch < this.#epochs(team); epoch++) {
       while (this.epochs >= this.until) yield { type: "rest" };
       const available = this.archive[otherOf(team)].length;
@@ -228,7 +229,7 @@ export class Race {
         rule === "latest"
           ? available - 1
           : rule === "round-robin"
-            ? epoch % available
+            ? (turn + epoch) % available
             : this.#source("opponents", TEAMS.indexOf(team), generation, epoch).choice(available, 1)[0]!;
       const pair = team === "pursuer" ? [generation, opponent] : [opponent, generation];
       const learner = this.#learners[team];
@@ -472,6 +473,20 @@ export class Race {
       }),
     );
   }
+}
+
+/**
+ * Return whom the epochs of a generation begin with, in turns of all opponents. A generation that has
+ * fewer epochs than opponents goes on where the one before it ended.
+ */
+function firstTurn(team: Team, generation: number, epochs: number): number {
+  let met = 0; // since opponent 0 had its turn
+  for (let k = 1; k <= generation; k++) {
+    const available = team === "pursuer" ? k : k + 1;
+    if (met >= available - 1) met = 0;
+    if (k < generation) met += epochs;
+  }
+  return met;
 }
 
 /** Return genomes one after the other. */

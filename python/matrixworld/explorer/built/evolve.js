@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources ff647b3ca254a28dcb62f13d0887345cfc03c14da97548a34f6001c630ceb719 */
+/* built from web/ by "npm run build"; sources 7a7d8266a1af35e4951e1674d7d4411b810b57299fb72a9900d864d0f19b455c */
 "use strict";(()=>{var Ss={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},mt={DISAPPEAR:0,REACH:1,BOUNCE:2},As={OCCUPATION:0,SURROUND:1},Ms={FAULT:0,INVOLVED:1};var ar=["obstacle","teammate","adversary"],ir=["vertex","edge","chain"],Ts=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],lr=["p\
 ursuer_{number}","evader_{number}"],Es={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},pt={"both held":"both bounce","both doomed":"\
@@ -542,7 +542,7 @@ let{others:s,extras:o={}}=n.payoff,a=s?.[t]?.[r],i=a===void 0?[]:[`score of the 
 i.push(`${l} ${q(u)}`)}return i.length?`Means of the pair: ${i.join(", ")}`:""}function ou(n,e,t,r,s){let o=Object.keys(e.shows).map(u=>u.split(" ").map(Number)),
 a=([u,h])=>(u-t)**2+(h-r)**2,[i,l]=o.sort((u,h)=>a(u)-a(h))[0]??[];if(i===void 0||l===void 0)return null;let c=`${te(n,"pursuer",i)} against ${te(n,"evader",l)}`;
 return d("p",{},d("button",{type:"button",onclick:()=>s.select({pursuer:i,evader:l})},`Nearest: ${c}`))}function Va(n){let e=JSON.stringify(n,(t,r)=>t==="genome"?Array.from(r):r);return d("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
-outerHTML}var Pt="_",au="n",qp=2n**64n-1n;var ts={fov:11,maxSteps:500,rewards:"paper"},iu=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
+outerHTML}var Pt="_",au="n",Jp=2n**64n-1n;var ts={fov:11,maxSteps:500,rewards:"paper"},iu=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
 "next"];function qa(n,e){let t=i=>i.map(l=>cu(l,e)).join(""),r=i=>`${Math.floor(i/n.cols)}.${i%n.cols}`,s=lu(n.rewards,e),o=[n.seed,n.episode,n.steps].join("."),a={rules:Ka(
 n.rules,e),others:n.others?Ka(n.others,e):"",rewards:s===ts.rewards?"":s,size:`${n.rows}x${n.cols}`,diagonal:n.diagonal?"1":"",fov:n.fov===ts.fov?"":String(n.fov),
 limit:n.maxSteps===ts.maxSteps?"":String(n.maxSteps),seed:o==="0.0.0"?"":o,ended:n.ended?"1":"",walls:n.walls.map(r).join(Pt),pursuers:n.pursuers.map(Ya).join(Pt),
@@ -721,34 +721,35 @@ pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,genomes:{pursuer:
 if(!(t instanceof Ut))return[t.genome];let r=t.genome.length,s=Array.from({length:t.population.length/r},(o,a)=>t.population.slice(a*r,(a+1)*r));return Array.from(
 {length:this.settings.learner.population},(o,a)=>a===0?t.genome:s[a%s.length])}#y(e,t){let{learner:r}=this.settings,s=this.shape(e),o=r.kind==="ga"?r.mutation:r.
 sigma,a=ss(s),i=new qn(Ee(s),this.#t("noise",T.indexOf(e)),o,a?.fixed??null),l=t.map(c=>os(c,a));this.#r[e]=r.kind==="ga"?new Ut(Zn(l),i,r):new Jn(l[0],i,r)}*#d(e,t){
-for(let r=0;r<this.#a(e);r++){for(;this.epochs>=this.until;)yield{type:"rest"};let s=this.archive[de(e)].length,o=this.settings.schedule[`${e}s_meet`],a=o==="la\
-test"?s-1:o==="round-robin"?r%s:this.#t("opponents",T.indexOf(e),t,r).choice(s,1)[0],i=e==="pursuer"?[t,a]:[a,t],l=this.#r[e],{groups:c}=l,u=Dt([this.settings.seed,
-...i,is[e],r],Math.max(...c)+1),h=l.ask(this.#t("learn",T.indexOf(e),t,r)),m=Int32Array.from(c.keys()),p=new Int32Array(c.length),y={[e]:h,[de(e)]:this.archive[de(
-e)][a]},f={[e]:m,[de(e)]:p},g=this.#c(y,f,BigUint64Array.from(c,w=>u[w])),v=this.#w(g,e);this.#v(g,v,{generation:t,team:e,epoch:r,opponent:a}),l.tell(v),yield*this.#g(
-t,r,e)}this.archive[e].push(this.#r[e].genome)}*#f(e){for(let t=0;t<this.#a("pursuer");t++){for(;this.epochs>=this.until;)yield{type:"rest"};let{schedule:r,learner:{
-population:s}}=this.settings,[o,a]=r.kind==="hall-of-fame"?[r.hall_sample,r.contemporaries]:[0,1],i={pursuer:this.#s("pursuer",e,t),evader:this.#s("evader",e,t)},
-l=this.#t("opponents",0,e,t),c={pursuer:this.#l(o,l),evader:this.#l(o,l)},u=g=>Zn([i[g],...Array.from(c[de(g)],v=>this.archive[g][v])]),h=[c.evader.length,c.pursuer.
-length],m=xi(this.#r.pursuer.groups,a,h,l),p=Dt([this.settings.seed,e,e,is.both,t],Math.max(...m.group)+1),y={pursuer:u("pursuer"),evader:u("evader")},f=this.#c(
-y,m,BigUint64Array.from(m.group,g=>p[g]));for(let g of T){let v=Si(m[g],m[de(g)],s,this.#w(f,g));this.#v(f,v,{generation:e,team:g,epoch:t,opponent:_u}),this.#r[g].
-tell(v)}yield*this.#g(e,t,"both")}for(let t of T)this.archive[t].push(this.#r[t].genome)}#s(e,t,r){return this.#r[e].ask(this.#t("learn",T.indexOf(e),t,r))}#l(e,t){
-let r=this.archive.pursuer.length;return e?t.choice(r,Math.min(e,r)):new Int32Array(0)}#a(e){let{schedule:t}=this.settings;return t.kind==="hall-of-fame"?t.joint_epochs:
-t[`${e}_epochs`]}*#g(e,t,r){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#a("pursuer"),0]:[this.#a("pursuer"),this.#a("evader")],a=t+1+(r==="evad\
-er"?s:0),i=s+o;this.epochs+=1,yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#c(e,t,r){let s={...this.settings.
-world,max_steps:this.settings.train_steps},o=this.#e.rollouts(s,this.#b("pursuer",e.pursuer),this.#b("evader",e.evader),{...t,seed:r},1);this.#o+=o.length.length;
-for(let a of o.length)this.#h+=Number(a);for(let a of o.agent_steps)this.#m+=Number(a);return o}#b(e,t){return Ft(this.shape(e),t)}#w({captured_fraction:e,overlap:t},r){
-let s=Ai(this.settings);return Float64Array.from(e,(o,a)=>r==="pursuer"?o:1-o-s*Number(t[2*a+1]))}#v(e,t,r){let s=O(t),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(
-i/3)%2]+=Number(a)),this.rows.push({...r,fitness_mean:s,fitness_std:Math.sqrt(O(t.map(a=>(a-s)**2))),fitness_best:Math.max(...t),capture_rate:O(e.capture_rate),
-length:O(e.length),pursuer_faults:o[0]/e.length.length,evader_faults:o[1]/e.length.length,matches:this.#o,steps:this.#h})}#u(...e){for(let t of e)this.counters[t].
-push({matches:this.#o,steps:this.#h,agent_steps:this.#m})}*#A(e){yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},
-yield*this.catchUp()}*catchUp(){for(let e=this.finished-1;e>=0;e--){for(let t=e;t>=0;t--)for(let[r,s]of t===e?[[e,e]]:[[e,t],[t,e]]){if(this.cells.has(`${r} ${s}`))
-continue;let o=this.#S(r,s);this.cells.set(`${r} ${s}`,o),yield{type:"cell",cell:o}}this.#i.has(e)||(this.#i.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#x(
-"pursuer",e),evader:this.#x("evader",e)}})}}#S(e,t){let{world:r,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),
-seed:BigUint64Array.of(Kn(o,e,t))},i=T.map(u=>this.#b(u,this.archive[u][u==="pursuer"?e:t])),l=this.#e.rollouts(r,...i,a,s),c=u=>{let h=Array.from(l[u],Number),
-m=h.length/s;return Array.from({length:m},(p,y)=>O(h.filter((f,g)=>g%m===y)))};return{pursuer:e,evader:t,capture_rates:Array.from(l.capture_rate),lengths:Array.
-from(l.length),means:{collisions:c("collisions"),faults:c("faults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#x(e,t){let{world:r,seed:s}=this.settings,
-o=this.#b(e,this.archive[e][t]),a=new Int32Array(1);return O(Xn[e].map((i,l)=>{let c=Dt([s,T.indexOf(e),l,Ru],1),u=e==="pursuer"?[o,i]:[i,o],h=O(this.#e.rollouts(
-r,...u,{pursuer:a,evader:a,seed:c},ku).capture_rate);return e==="pursuer"?h:1-h}))}};function Zn(n){let e=new Float32Array(n.reduce((r,{length:s})=>r+s,0)),t=0;
-for(let r of n)e.set(r,t),t+=r.length;return e}var ds=n=>Array.from({length:n},()=>Array(n)),Qn=class{learning=T;settings=[];command="";training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds=[];world;payoff;teams;findings=null;genomes={
+let r=Pu(e,t,this.#a(e));for(let s=0;s<this.#a(e);s++){for(;this.epochs>=this.until;)yield{type:"rest"};let o=this.archive[de(e)].length,a=this.settings.schedule[`${e}\
+s_meet`],i=a==="latest"?o-1:a==="round-robin"?(r+s)%o:this.#t("opponents",T.indexOf(e),t,s).choice(o,1)[0],l=e==="pursuer"?[t,i]:[i,t],c=this.#r[e],{groups:u}=c,
+h=Dt([this.settings.seed,...l,is[e],s],Math.max(...u)+1),m=c.ask(this.#t("learn",T.indexOf(e),t,s)),p=Int32Array.from(u.keys()),y=new Int32Array(u.length),f={[e]:m,
+[de(e)]:this.archive[de(e)][i]},g={[e]:p,[de(e)]:y},v=this.#c(f,g,BigUint64Array.from(u,x=>h[x])),w=this.#w(v,e);this.#v(v,w,{generation:t,team:e,epoch:s,opponent:i}),
+c.tell(w),yield*this.#g(t,s,e)}this.archive[e].push(this.#r[e].genome)}*#f(e){for(let t=0;t<this.#a("pursuer");t++){for(;this.epochs>=this.until;)yield{type:"re\
+st"};let{schedule:r,learner:{population:s}}=this.settings,[o,a]=r.kind==="hall-of-fame"?[r.hall_sample,r.contemporaries]:[0,1],i={pursuer:this.#s("pursuer",e,t),
+evader:this.#s("evader",e,t)},l=this.#t("opponents",0,e,t),c={pursuer:this.#l(o,l),evader:this.#l(o,l)},u=g=>Zn([i[g],...Array.from(c[de(g)],v=>this.archive[g][v])]),
+h=[c.evader.length,c.pursuer.length],m=xi(this.#r.pursuer.groups,a,h,l),p=Dt([this.settings.seed,e,e,is.both,t],Math.max(...m.group)+1),y={pursuer:u("pursuer"),
+evader:u("evader")},f=this.#c(y,m,BigUint64Array.from(m.group,g=>p[g]));for(let g of T){let v=Si(m[g],m[de(g)],s,this.#w(f,g));this.#v(f,v,{generation:e,team:g,
+epoch:t,opponent:_u}),this.#r[g].tell(v)}yield*this.#g(e,t,"both")}for(let t of T)this.archive[t].push(this.#r[t].genome)}#s(e,t,r){return this.#r[e].ask(this.#t(
+"learn",T.indexOf(e),t,r))}#l(e,t){let r=this.archive.pursuer.length;return e?t.choice(r,Math.min(e,r)):new Int32Array(0)}#a(e){let{schedule:t}=this.settings;return t.
+kind==="hall-of-fame"?t.joint_epochs:t[`${e}_epochs`]}*#g(e,t,r){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#a("pursuer"),0]:[this.#a("pursuer"),
+this.#a("evader")],a=t+1+(r==="evader"?s:0),i=s+o;this.epochs+=1,yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#c(e,t,r){
+let s={...this.settings.world,max_steps:this.settings.train_steps},o=this.#e.rollouts(s,this.#b("pursuer",e.pursuer),this.#b("evader",e.evader),{...t,seed:r},1);
+this.#o+=o.length.length;for(let a of o.length)this.#h+=Number(a);for(let a of o.agent_steps)this.#m+=Number(a);return o}#b(e,t){return Ft(this.shape(e),t)}#w({
+captured_fraction:e,overlap:t},r){let s=Ai(this.settings);return Float64Array.from(e,(o,a)=>r==="pursuer"?o:1-o-s*Number(t[2*a+1]))}#v(e,t,r){let s=O(t),o=[0,0];
+e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),this.rows.push({...r,fitness_mean:s,fitness_std:Math.sqrt(O(t.map(a=>(a-s)**2))),fitness_best:Math.max(
+...t),capture_rate:O(e.capture_rate),length:O(e.length),pursuer_faults:o[0]/e.length.length,evader_faults:o[1]/e.length.length,matches:this.#o,steps:this.#h})}#u(...e){
+for(let t of e)this.counters[t].push({matches:this.#o,steps:this.#h,agent_steps:this.#m})}*#A(e){yield{type:"generation",number:e,genomes:{pursuer:this.archive.
+pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){for(let e=this.finished-1;e>=0;e--){for(let t=e;t>=0;t--)for(let[r,s]of t===e?[[e,e]]:
+[[e,t],[t,e]]){if(this.cells.has(`${r} ${s}`))continue;let o=this.#S(r,s);this.cells.set(`${r} ${s}`,o),yield{type:"cell",cell:o}}this.#i.has(e)||(this.#i.add(e),
+yield{type:"scores",number:e,scores:{pursuer:this.#x("pursuer",e),evader:this.#x("evader",e)}})}}#S(e,t){let{world:r,evaluation_episodes:s,seed:o}=this.settings,
+a={pursuer:new Int32Array(1),evader:new Int32Array(1),seed:BigUint64Array.of(Kn(o,e,t))},i=T.map(u=>this.#b(u,this.archive[u][u==="pursuer"?e:t])),l=this.#e.rollouts(
+r,...i,a,s),c=u=>{let h=Array.from(l[u],Number),m=h.length/s;return Array.from({length:m},(p,y)=>O(h.filter((f,g)=>g%m===y)))};return{pursuer:e,evader:t,capture_rates:Array.
+from(l.capture_rate),lengths:Array.from(l.length),means:{collisions:c("collisions"),faults:c("faults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#x(e,t){
+let{world:r,seed:s}=this.settings,o=this.#b(e,this.archive[e][t]),a=new Int32Array(1);return O(Xn[e].map((i,l)=>{let c=Dt([s,T.indexOf(e),l,Ru],1),u=e==="pursue\
+r"?[o,i]:[i,o],h=O(this.#e.rollouts(r,...u,{pursuer:a,evader:a,seed:c},ku).capture_rate);return e==="pursuer"?h:1-h}))}};function Pu(n,e,t){let r=0;for(let s=1;s<=
+e;s++){let o=n==="pursuer"?s:s+1;r>=o-1&&(r=0),s<e&&(r+=t)}return r}function Zn(n){let e=new Float32Array(n.reduce((r,{length:s})=>r+s,0)),t=0;for(let r of n)e.
+set(r,t),t+=r.length;return e}var ds=n=>Array.from({length:n},()=>Array(n)),Qn=class{learning=T;settings=[];command="";training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds=[];world;payoff;teams;findings=null;genomes={
 pursuer:[],evader:[]};best=null;#e;#n;#t;constructor(e,t,r,s){this.#t=e,this.#e=t,this.#n=s,this.name=r,this.schedule=r,this.world=e.world,this.seed=String(e.seed),
 this.payoff=this.#r(),this.teams=this.#i()}get newest(){return this.genomes.pursuer.length-1}#r(){let{seed:e,schedule:{generations:t}}=this.#t,r=t+1;return this.
 seeds=Array.from({length:r},(s,o)=>Array.from({length:r},(a,i)=>String(Kn(e,o,i)))),{first:[0,0],shape:[r,r],episodes:this.#t.evaluation_episodes,capture_rate:ds(
@@ -761,34 +762,34 @@ r[a]),Object.assign(this.payoff.lengths[a],s[a])}}add(e){for(let t of T)this.gen
 for(let r of T)this.genomes[r]=[...t[r]];this.best=null,this.payoff=this.#r(),this.teams=this.#i(),this.findings=null}addCell({pursuer:e,evader:t,capture_rates:r,
 lengths:s}){this.payoff.capture_rate[e][t]=O(r),this.payoff.capture_rates[e][t]=[...r],this.payoff.lengths[e][t]=[...s],this.findings={generalization:this.#o()}}#o(){
 let e=this.payoff.capture_rate,t=o=>({mean:o,low:null,high:null}),r=o=>{let a=o.filter(i=>i!==void 0);return a.length?O(a):null},s=[...this.genomes.pursuer.keys()];
-return{pursuers:t(s.map(o=>r(e[o]))),evaders:t(s.map(o=>r(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Pu=1/4,Ei=1.96,Ti=.05,ms=5;function Ci(n,e){let t=Array.from({length:e},(h,m)=>Array.from({length:e},(p,y)=>n.get(`${m} ${y}`)?.capture_rates));if(e<2||t.some(
-h=>h.includes(void 0)))return null;let r=t.map(h=>h.map(m=>O(m))),s=t.map(h=>h.map(m=>Nu(m))),o=Math.max(1,Math.round(e*Pu)),a=h=>{let m=rs(r,h),p=h==="pursuer"?
-s:$u(s),y=[m[0].slice(-o)],f=m.slice(-o).map(b=>b.slice(-o)),g=b=>O(b.map(E=>O(E.slice(-o))/o))/b.length,v={value:O(f.map(O))-O(y.map(O)),reach:Ei*Math.sqrt(g(p.
-slice(-o))+g([p[0]]))},w=Iu(m,p),x=Fu(v,w);return{verdict:x==="better"&&!Lu(m.map(O),w.value)?"better by a jump":x,before:O(y[0]),after:O(f.map(O))}},i={pursuer:a(
+return{pursuers:t(s.map(o=>r(e[o]))),evaders:t(s.map(o=>r(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var $u=1/4,Ei=1.96,Ti=.05,ms=5;function Ci(n,e){let t=Array.from({length:e},(h,m)=>Array.from({length:e},(p,y)=>n.get(`${m} ${y}`)?.capture_rates));if(e<2||t.some(
+h=>h.includes(void 0)))return null;let r=t.map(h=>h.map(m=>O(m))),s=t.map(h=>h.map(m=>Iu(m))),o=Math.max(1,Math.round(e*$u)),a=h=>{let m=rs(r,h),p=h==="pursuer"?
+s:Nu(s),y=[m[0].slice(-o)],f=m.slice(-o).map(b=>b.slice(-o)),g=b=>O(b.map(E=>O(E.slice(-o))/o))/b.length,v={value:O(f.map(O))-O(y.map(O)),reach:Ei*Math.sqrt(g(p.
+slice(-o))+g([p[0]]))},w=Lu(m,p),x=Du(v,w);return{verdict:x==="better"&&!Fu(m.map(O),w.value)?"better by a jump":x,before:O(y[0]),after:O(f.map(O))}},i={pursuer:a(
 "pursuer"),evader:a("evader")},l=h=>{let m=rs(r,h).map(O);return m.lastIndexOf(Math.max(...m))},c={pursuer:l("pursuer"),evader:l("evader")},u=r[c.pursuer][c.evader];
-return{rate:u,best:c,teams:i,sentence:Uu(u,i)}}var $u=n=>n[0].map((e,t)=>n.map(r=>r[t])),Nu=n=>n.reduce((e,t)=>e+(t-O(n))**2,0)/Math.max(1,n.length-1)/n.length;
-function Iu(n,e){let t=n.length-1,r=n.map((i,l)=>l-t/2),s=r.reduce((i,l)=>i+l*l,0),o=r.map(i=>t*i/s),a=e.map(i=>O(i)/i.length);return{value:n.reduce((i,l,c)=>i+
-o[c]*O(l),0),reach:Ei*Math.sqrt(a.reduce((i,l,c)=>i+o[c]**2*l,0))}}function Lu(n,e){let t=n.map(c=>c*Math.sign(e)),r=Math.floor(n.length/ms),s=n.length%ms,o=Array.
+return{rate:u,best:c,teams:i,sentence:Wu(u,i)}}var Nu=n=>n[0].map((e,t)=>n.map(r=>r[t])),Iu=n=>n.reduce((e,t)=>e+(t-O(n))**2,0)/Math.max(1,n.length-1)/n.length;
+function Lu(n,e){let t=n.length-1,r=n.map((i,l)=>l-t/2),s=r.reduce((i,l)=>i+l*l,0),o=r.map(i=>t*i/s),a=e.map(i=>O(i)/i.length);return{value:n.reduce((i,l,c)=>i+
+o[c]*O(l),0),reach:Ei*Math.sqrt(a.reduce((i,l,c)=>i+o[c]**2*l,0))}}function Fu(n,e){let t=n.map(c=>c*Math.sign(e)),r=Math.floor(n.length/ms),s=n.length%ms,o=Array.
 from({length:ms},(c,u)=>O(t.slice(u*r+Math.min(u,s),(u+1)*r+Math.min(u+1,s)))),a=Math.max(2,Math.floor(n.length/10)),i=Math.max(...t.slice(a).map((c,u)=>c-t[u])),
-l=Math.max(...o.slice(1).map((c,u)=>o[u]-c));return i<Math.abs(e)/2&&l<Math.abs(e)/4}function Fu(...n){return n.every(({value:e,reach:t})=>e-t>Ti)?"better":n.every(
-({value:e,reach:t})=>e+t<-Ti)?"weaker":"cannot tell"}var Z=n=>`${Math.round(100*n)} %`,Du={better:"better than in generation 0","better by a jump":"better than \
-in generation 0, most of it in one jump",weaker:"weaker than in generation 0","cannot tell":""};function Uu(n,e){let t=`The best pursuers now catch ${Z(n)} of t\
-he best evaders.`,r=T.map(o=>Du[e[o].verdict]);if(r[0]===r[1])return r[0]?`${t} Both teams are ${r[0]}.`:`${t} Whether a team has become better since generation\
+l=Math.max(...o.slice(1).map((c,u)=>o[u]-c));return i<Math.abs(e)/2&&l<Math.abs(e)/4}function Du(...n){return n.every(({value:e,reach:t})=>e-t>Ti)?"better":n.every(
+({value:e,reach:t})=>e+t<-Ti)?"weaker":"cannot tell"}var Z=n=>`${Math.round(100*n)} %`,Uu={better:"better than in generation 0","better by a jump":"better than \
+in generation 0, most of it in one jump",weaker:"weaker than in generation 0","cannot tell":""};function Wu(n,e){let t=`The best pursuers now catch ${Z(n)} of t\
+he best evaders.`,r=T.map(o=>Uu[e[o].verdict]);if(r[0]===r[1])return r[0]?`${t} Both teams are ${r[0]}.`:`${t} Whether a team has become better since generation\
  0, this race cannot tell.`;let s=T.map((o,a)=>r[a]?`the ${o}s are ${r[a]}`:`of the ${o}s this race cannot tell`);return`${t} ${s[0][0].toUpperCase()}${s[0].slice(
 1)}; ${s[1]}.`}function Oi(n,{before:e,after:t}){let[r,s]=n==="pursuer"?[e,t]:[1-e,1-t];return n==="pursuer"?`Of the last ${de(n)}s, pursuers of generation 0 ca\
-tch ${Z(r)}, the last pursuers ${Z(s)}.`:`The last pursuers catch ${Z(r)} of the evaders of generation 0, and ${Z(s)} of the last evaders.`}var ki=1/3,Wu=1/10,Bu=4,ju=2,Gu=12,Ri=n=>n.length>1?`${n.slice(0,-1).join(", ")} and ${n.at(-1)}`:n[0]??"";function _i({phrases:n,words:e},t,r){let s=Object.entries(
-r).map(([c,u])=>[c,Math.abs(u)]).sort(([,c],[,u])=>u-c),o=s[0]?.[1]||1/0,a=s.filter(([,c])=>c/o>=ki).slice(0,Bu).map(([c])=>n[c][r[c]>0?1:0]),i=s.filter(([,c])=>c/
-o>=Wu&&c/o<ki).slice(0,ju).map(([c])=>n[c][2]),l=Ri([...a,...i.length?[`minds ${Ri(i)} little`]:[]])||"takes any move that is allowed";return`{A} ${t} ${l}.`.replaceAll(
+tch ${Z(r)}, the last pursuers ${Z(s)}.`:`The last pursuers catch ${Z(r)} of the evaders of generation 0, and ${Z(s)} of the last evaders.`}var ki=1/3,Bu=1/10,ju=4,Gu=2,zu=12,Ri=n=>n.length>1?`${n.slice(0,-1).join(", ")} and ${n.at(-1)}`:n[0]??"";function _i({phrases:n,words:e},t,r){let s=Object.entries(
+r).map(([c,u])=>[c,Math.abs(u)]).sort(([,c],[,u])=>u-c),o=s[0]?.[1]||1/0,a=s.filter(([,c])=>c/o>=ki).slice(0,ju).map(([c])=>n[c][r[c]>0?1:0]),i=s.filter(([,c])=>c/
+o>=Bu&&c/o<ki).slice(0,Gu).map(([c])=>n[c][2]),l=Ri([...a,...i.length?[`minds ${Ri(i)} little`]:[]])||"takes any move that is allowed";return`{A} ${t} ${l}.`.replaceAll(
 /\{(\w+)\}/g,(c,u)=>e[t][u])}function Pi(n,e,t,r){let s=r[t];if(s.kind!=="rating")return{};let{n_pursuers:o,n_evaders:a}=e.config,i=Array.from({length:t==="purs\
-uer"?o:a},(u,h)=>h+(t==="pursuer"?0:o)),l=n.world(e.config),c=s.inputs.map(()=>[]);for(let u=0;u<e.length;u+=Math.max(1,Math.floor(e.length/Gu))){e.seek(l,u,{pursuers:r.
+uer"?o:a},(u,h)=>h+(t==="pursuer"?0:o)),l=n.world(e.config),c=s.inputs.map(()=>[]);for(let u=0;u<e.length;u+=Math.max(1,Math.floor(e.length/zu))){e.seek(l,u,{pursuers:r.
 pursuer,evaders:r.evader});for(let h of i.filter(m=>e.alive[u*e.n_agents+m])){let{inputs:m,refused:p}=l.rate(s,h);m.forEach((y,f)=>{let g=Array.from(y).filter((v,w)=>!p[w]);
-g.length&&c[f].push(O(g.map(v=>(v-O(g))**2)))})}}return l.free(),Object.fromEntries(s.inputs.map((u,h)=>[u,s.genome[h]*Math.sqrt(c[h].length?O(c[h]):0)]))}var zu=2,Hu=1.5,er=class{element=d("section",{class:"card weights-card","aria-label":"Weights of named inputs",hidden:!0});#e;#n;#t;#r=d("div",{class:"evolved"});#i=d(
+g.length&&c[f].push(O(g.map(v=>(v-O(g))**2)))})}}return l.free(),Object.fromEntries(s.inputs.map((u,h)=>[u,s.genome[h]*Math.sqrt(c[h].length?O(c[h]):0)]))}var Hu=2,Vu=1.5,er=class{element=d("section",{class:"card weights-card","aria-label":"Weights of named inputs",hidden:!0});#e;#n;#t;#r=d("div",{class:"evolved"});#i=d(
 "p",{class:"numbers",role:"status"});#o=d("button",{type:"button",onclick:()=>this.#l()},"As evolved");#h={pursuer:d("p"),evader:d("p")};#m=null;#p=null;constructor(e,t,r){
 this.#e=e,this.#n=t,this.#t=r,this.element.append(d("h3",{},"What they have learned"),d("p",{class:"small muted"},"An agent takes the move with the largest sum \
 of weight x input. Drag a weight, and see at once what becomes of the team."),d("div",{class:"doings"},this.#o,this.#i),this.#r)}genome(e){return this.#p?.[e]??
 this.#d[e]}get#y(){let{newest:e,best:t}=this.#m;return t??{pursuer:e,evader:e}}get#d(){return this.#m.genomesOf(this.#y)}show(e){e!==this.#m&&(this.#p=null),this.#m=
 e;let t=T.flatMap(r=>{let{policy:s}=e.teams[r];return s?.kind==="rating"?[[r,s.inputs]]:[]});this.element.hidden=!t.length||e.newest<1,!this.element.hidden&&(this.#p||
-this.#r.replaceChildren(...t.map(r=>this.#f(...r))),this.#a())}#f(e,t){let r=this.genome(e),s=Math.max(zu,Hu*Math.max(...r.map(Math.abs)));return d("div",{class:"\
+this.#r.replaceChildren(...t.map(r=>this.#f(...r))),this.#a())}#f(e,t){let r=this.genome(e),s=Math.max(Hu,Vu*Math.max(...r.map(Math.abs)));return d("div",{class:"\
 weights"},d("h4",{class:e},`${e}s`),this.#h[e],...t.flatMap((o,a)=>{let i=d("span",{class:"numbers"},at(r[a])),l=d("input",{type:"range",class:e,min:-s,max:s,step:"\
 any",value:r[a],title:Le[o],"aria-label":`${e}s: ${o}`});return l.addEventListener("input",()=>{i.textContent=at(Number(l.value)),this.#s(e,a,Number(l.value))}),
 [d("span",{title:Le[o]},o.replaceAll("_"," ")),l,i]}))}#s(e,t,r){this.#p??={pursuer:this.genome("pursuer").slice(),evader:this.genome("evader").slice()},this.#p[e][t]=
@@ -796,19 +797,19 @@ r,this.#a(),this.#t()}#l(){this.#p=null,this.show(this.#m),this.#t()}#a(){this.#
 rs: ${Z(this.rate(this.#p))} are caught; as evolved: ${e}`:`${e} are caught`;let t=this.#m,r={pursuer:t.playing("pursuer",this.genome("pursuer")),evader:t.playing(
 "evader",this.genome("evader"))},s=this.#e.match(t.world,r.pursuer,r.evader,BigInt(t.seed));for(let o of T)this.#h[o].textContent=_i(this.#n,o,Pi(this.#e,s,o,r))}rate({
 pursuer:e,evader:t},r=this.#y,s=this.#m){let o=new Int32Array(1),a={pursuer:o,evader:o,seed:BigUint64Array.of(BigInt(s.seeds[r.pursuer][r.evader]))};return O(this.#e.
-rollouts(s.world,s.playing("pursuer",e),s.playing("evader",t),a,s.payoff.episodes).capture_rate)}};var Vu=12,tr=class{#e=null;#n=null;#t=[];#r;constructor(e,t){this.#r=t;try{let r=new Blob([we("script-engine"),`
+rollouts(s.world,s.playing("pursuer",e),s.playing("evader",t),a,s.payoff.episodes).capture_rate)}};var Yu=12,tr=class{#e=null;#n=null;#t=[];#r;constructor(e,t){this.#r=t;try{let r=new Blob([we("script-engine"),`
 `,we(`script-${e}`)],{type:"text/javascript"});this.#n=new Worker(URL.createObjectURL(r)),this.#n.onerror=()=>this.#e||this.#i(),this.#n.onmessage=()=>this.#o(this.#n)}catch{
 this.#i()}}send(e){this.#e?this.#e.postMessage(e):this.#t.push(e)}close(){this.send({type:"stop"}),this.#n?.terminate()}#i(){let{port1:e,port2:t}=new MessageChannel;
 ps(t),this.#o(e)}#o(e){this.#e=e,e.onmessage=({data:t})=>t.type!=="ready"&&this.#r(t);for(let t of this.#t.splice(0))e.postMessage(t)}};function ps(n){let e=v=>n.
 postMessage(v),t=Jt(),r=null,s=null,o=null,a=[],i=!1,l=0,c=!1,u=new MessageChannel,h=v=>{let w=r.change(v);e({type:"changed",at:r.epochs,settings:v}),w&&e(w),!s&&
 r.finished<=v.schedule.generations?(s=r.run(),i=!0):i||(o=r.catchUp())},m=()=>{i=!1,o=r.catchUp(),e({type:"stopped",at:r.epochs})},p=()=>{if(i&&s){for(;a.length&&
 a[0].at<=r.epochs;)h(a.shift().settings);let{value:w,done:x}=s.next();return x?(s=null,i=!1,o=r.catchUp(),e({type:"end",at:r.epochs,seconds:l/1e3})):w.type==="r\
-est"?m():e(w),!0}let v=o?.next();return v&&!v.done?e(v.value):o=null,!!o},y=()=>{let v=performance.now(),w=!0;for(;w&&performance.now()<v+Vu;)w=p();l+=performance.
+est"?m():e(w),!0}let v=o?.next();return v&&!v.done?e(v.value):o=null,!!o},y=()=>{let v=performance.now(),w=!0;for(;w&&performance.now()<v+Yu;)w=p();l+=performance.
 now()-v,!(!w||c)&&(c=!0,u.port2.postMessage(null))},f=async v=>{if(v.type==="start")r=new ct(await t,v.settings,v.masks),s=r.run(),o=null,a=[...v.plan],i=!0,l=0,
 r.until=v.until,e({type:"began"});else if(r)if(v.type==="change")a=[],r.until=1/0,h(v.settings);else if(v.type==="go")r.until=1/0,i=!0;else if(v.type==="stop")i&&
 m();else{let{settings:w,archive:x,rows:b,cells:E,counters:_,finished:R}=r;e({type:"saved",race:{settings:w,archive:x,rows:b,cells:E,counters:_,finished:R}})}else
 return;y()},g=v=>{Promise.resolve().then(v).catch(w=>{s=o=null,e({type:"failed",message:String(w)})})};u.port1.onmessage=()=>{c=!1,g(y)},n.onmessage=({data:v})=>g(
-()=>f(v)),e({type:"ready"})}var Yu=100,Ku=.3,qu="By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt.",nr={pursuer:0,evader:0},$i=0,rr=class extends EventTarget{element;chases;boards;before=new It;after=new It;settings;state="\
+()=>f(v)),e({type:"ready"})}var Ku=100,qu=.3,Ju="By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt.",nr={pursuer:0,evader:0},$i=0,rr=class extends EventTarget{element;chases;boards;before=new It;after=new It;settings;state="\
 waiting";done=0;epochs=0;changed=[];seconds=0;outcome=null;kept=null;#e;#n;#t;#r=d("h2",{class:"lane-title"});#i=d("p",{class:"facts numbers"});#o=d("div",{class:"\
 lane-room"});#h=d("section",{class:"card measures"});#m=d("details",{class:"lane-more",hidden:!0},d("summary",{},"More: every generation against every other, sc\
 ores and collisions"),this.#o,this.#h);#p=d("div");#y=new it(()=>{});#d=d("section",{class:"card asked","aria-label":"An agent",hidden:!0},d("button",{type:"but\
@@ -832,7 +833,7 @@ type==="scores")for(let t of T)this.#l[t][e.number]=e.scores[t];else e.type==="c
 schedule.generations>this.#s.newest&&this.state==="ended"&&this.#E()):e.type==="anew"?(this.#s.change(e.settings,e.genomes),this.#C(),this.#$(!0)):e.type==="epo\
 ch"?(this.epochs+=1,this.done=e.done/e.of):e.type==="stopped"?this.#M("stopped"):e.type==="end"?(this.seconds=e.seconds,this.done=1,this.#M("ended")):e.type==="\
 saved"?this.#A?.(e.race):e.type==="failed"&&(this.#i.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#u||(this.#u=setTimeout(()=>requestAnimationFrame(
-()=>this.#T()),Yu))}}#E(){this.state="evolving",this.outcome=null,this.#s.best=null}#M(e){let t=this.outcome;this.state=e,this.outcome=Ci(this.#a,this.#s.newest+
+()=>this.#T()),Ku))}}#E(){this.state="evolving",this.outcome=null,this.#s.best=null}#M(e){let t=this.outcome;this.state=e,this.outcome=Ci(this.#a,this.#s.newest+
 1),this.#s.best=this.outcome?.best??null,this.outcome&&!t&&this.#$(!0),this.#D()}#T(){this.#u=0,this.#g.dispatchEvent(new Event("run")),this.#c(),this.#P()}#C(){
 this.#a=new Map,this.#l={pursuer:[],evader:[]},this.outcome=null,this.#h.hidden=!0}#O(e){this.settings=e,this.done=0,this.epochs=0,this.changed.splice(0),this.kept=
 null;let t=ln(e);this.#s=new Qn(e,this.#e.masks,t,`race ${$i}`),$i+=1,this.#C(),this.#I(null,null),this.#w=!0,this.#v=!1,this.#g=new Vn({run:0,pursuer:0,evader:0,
@@ -856,42 +857,42 @@ e.match,{run:0,pursuer:a,evader:a,episode:0,seed:null},{pursuers:s,evaders:o})}t
 state,this.#r.textContent=ln(this.settings),this.#m.hidden=this.state==="waiting",this.#i.replaceChildren(...this.#B().map(t=>d("span",{},t))),this.element.dataset.
 newest=String(e),this.dispatchEvent(new Event("state"))}#B(){let{newest:e}=this.#s;if(this.outcome)return[this.outcome.sentence];if(e<0)return[];let t=a=>{let i=this.#a.
 get(`${a} ${a}`);return i?O(i.capture_rates):null};if(this.state==="waiting"||e<1){let a=t(0)??this.#f.rate(this.#s.genomesOf(nr),nr),i=`${Z(a)} of the evaders \
-are caught.`;return a>Ku?[i,qu]:[i]}let r=`Generation ${e} of ${this.settings.schedule.generations}`,s=t(e)??t(e-1),o=t(0);return s===null||o===null?[`${r}.`]:[
+are caught.`;return a>qu?[i,Ju]:[i]}let r=`Generation ${e} of ${this.settings.schedule.generations}`,s=t(e)??t(e-1),o=t(0);return s===null||o===null?[`${r}.`]:[
 `${r}: the pursuers catch ${Z(s)} of the evaders; those of generation 0 caught ${Z(o)}.`]}#D(){let{outcome:e}=this;if(this.#h.hidden=!e,this.#h.ariaLabel=`What \
 came out. ${ln(this.settings)}`,!e)return;let t=this.#a.get(`${this.#s.newest} ${this.#s.newest}`),r=[["Score against scripts: generation 0",s=>Z(this.#l[s][0]??
-0)],["Score against scripts: newest generation",s=>Z(this.#l[s].at(-1)??0)],["Collisions at fault in 1000 moves of the newest generation",(s,o)=>Ju(t,o).toFixed(
+0)],["Score against scripts: newest generation",s=>Z(this.#l[s].at(-1)??0)],["Collisions at fault in 1000 moves of the newest generation",(s,o)=>Zu(t,o).toFixed(
 1)]];this.#h.replaceChildren(d("h3",{},"In numbers"),...T.map(s=>d("p",{},Oi(s,e.teams[s]))),d("table",{class:"numbers"},d("thead",{},d("tr",{},d("td"),...T.map(
 s=>d("th",{scope:"col",class:s},`${s}s`)))),d("tbody",{},...r.map(([s,o])=>d("tr",{},d("th",{scope:"row"},s),...T.map((a,i)=>d("td",{},o(a,i))))))),d("p",{class:"\
-small muted"},"One race proves little: save it, and ",d("code",{},"matrixworld judge")," says what happened on its way, and how surely."))}};function Ju({means:{
-faults:n,agent_steps:e}},t){let r=n.length/T.length;return 1e3*n.slice(t*r,(t+1)*r).reduce((s,o)=>s+o,0)/Math.max(1,e[t])}var Ni=n=>Ue(JSON.stringify(n,null,2)),fs=(n,...e)=>({dtype:"<f8",shape:e,data:Float64Array.from(n)}),Zu=n=>Math.sqrt(O(n.map(e=>(e-O(n))**2)));function Xu({settings:n,
-finished:e}){let t=n.schedule.kind==="alternating"?T.map(r=>[r]):[T];return Array.from({length:e},(r,s)=>(s?t:[T]).map(o=>[s,o])).flat()}function Qu({archive:n,
+small muted"},"One race proves little: save it, and ",d("code",{},"matrixworld judge")," says what happened on its way, and how surely."))}};function Zu({means:{
+faults:n,agent_steps:e}},t){let r=n.length/T.length;return 1e3*n.slice(t*r,(t+1)*r).reduce((s,o)=>s+o,0)/Math.max(1,e[t])}var Ni=n=>Ue(JSON.stringify(n,null,2)),fs=(n,...e)=>({dtype:"<f8",shape:e,data:Float64Array.from(n)}),Xu=n=>Math.sqrt(O(n.map(e=>(e-O(n))**2)));function Qu({settings:n,
+finished:e}){let t=n.schedule.kind==="alternating"?T.map(r=>[r]):[T];return Array.from({length:e},(r,s)=>(s?t:[T]).map(o=>[s,o])).flat()}function eh({archive:n,
 rows:e,counters:t},r,[s,o]){let a=e.filter(c=>c.generation===s&&o.includes(c.team)),i=Ue(a.map(c=>`${[r,...Mi.map(u=>c[u])].join(",")}
 `).join("")),l=c=>({dtype:"<f4",shape:[1,n[c][s].length],data:n[c][s]});return{...Object.fromEntries(o.map(c=>[`${c}s`,l(c)])),log:{dtype:`|S${Math.max(1,i.length)}`,
 shape:[],data:i.length?i:new Uint8Array(1)},...Object.fromEntries(Object.entries(t[o.at(-1)][s]).map(([c,u])=>[c,fs([u])])),...r?{score:fs([O(a.slice(Math.floor(
-a.length/2)).map(c=>c.capture_rate))])}:{}}}function eh(n){let e=n.finished,t=Array.from({length:e*e},(o,a)=>n.cells.get(`${Math.floor(a/e)} ${a%e}`)),r=t[0].lengths.
+a.length/2)).map(c=>c.capture_rate))])}:{}}}function th(n){let e=n.finished,t=Array.from({length:e*e},(o,a)=>n.cells.get(`${Math.floor(a/e)} ${a%e}`)),r=t[0].lengths.
 length,s=(o,...a)=>fs(t.flatMap(o),e,e,...a);return{scores:{dtype:"<f4",shape:[e,e,r],data:Float32Array.from(t.flatMap(({capture_rates:o})=>o))},mean:s(({capture_rates:o})=>O(
-o)),std:s(({capture_rates:o})=>Zu(o)),lengths:{dtype:"<i4",shape:[e,e,r],data:Int32Array.from(t.flatMap(({lengths:o})=>o))},collisions:s(({means:o})=>o.collisions,
+o)),std:s(({capture_rates:o})=>Xu(o)),lengths:{dtype:"<i4",shape:[e,e,r],data:Int32Array.from(t.flatMap(({lengths:o})=>o))},collisions:s(({means:o})=>o.collisions,
 2,3),faults:s(({means:o})=>o.faults,2,3),agent_steps:s(({means:o})=>o.agent_steps,2),pursuer_survivors:s(({means:o})=>o.survivors[0]),evader_survivors:s(({means:o})=>o.
-survivors[1])}}function th(n,{format:e,version:t,game:r}){let s=n.finished-1,o={...n.settings,schedule:{...n.settings.schedule,generations:s}},a={format:e,matrixworld:t,
-game:r,settings:o,drawn_by:"page"},i=Xu(n),{matches:l,steps:c,agent_steps:u}=n.counters.evader[s],h={training_matches:l,training_steps:c,training_agent_steps:u},
+survivors[1])}}function nh(n,{format:e,version:t,game:r}){let s=n.finished-1,o={...n.settings,schedule:{...n.settings.schedule,generations:s}},a={format:e,matrixworld:t,
+game:r,settings:o,drawn_by:"page"},i=Qu(n),{matches:l,steps:c,agent_steps:u}=n.counters.evader[s],h={training_matches:l,training_steps:c,training_agent_steps:u},
 m={stages:i.length-1,...h,disengagement:[],evaluation_matches:n.finished**2*n.settings.evaluation_episodes};return{"config.json":Ni(a),...Object.fromEntries(i.map(
-(p,y)=>[`stage-${String(y).padStart(4,"0")}.npz`,Rt(Qu(n,y,p))])),"payoff.npz":Rt(eh(n)),"summary.json":Ni(m)}}function Ii(n,e){let t=n.flatMap(({name:r,race:s})=>Object.
-entries(th(s,e)).map(([o,a])=>[n.length>1?`${r}/${o}`:o,a]));return on(Object.fromEntries(t))}var ys=n=>n.finished>1&&n.cells.size>=n.finished**2&&T.every(e=>n.
-archive[e].length);function Fi(n){let{width:e,height:t}=n[0],{table:r,place:s}=nh(n),o=[...Li("GIF89a"),...Wt(e),...Wt(t),247,0,0,...r];return o.push(33,255,11,...Li("NETSCAPE2.0"),
-3,1,0,0,0),n.forEach((a,i)=>{o.push(33,249,4,0,...Wt(i===n.length-1?150:12),0,0),o.push(44,0,0,0,0,...Wt(e),...Wt(t),0,8);let l=rh(Di(a).map(c=>s[c]));for(let c=0;c<
+(p,y)=>[`stage-${String(y).padStart(4,"0")}.npz`,Rt(eh(n,y,p))])),"payoff.npz":Rt(th(n)),"summary.json":Ni(m)}}function Ii(n,e){let t=n.flatMap(({name:r,race:s})=>Object.
+entries(nh(s,e)).map(([o,a])=>[n.length>1?`${r}/${o}`:o,a]));return on(Object.fromEntries(t))}var ys=n=>n.finished>1&&n.cells.size>=n.finished**2&&T.every(e=>n.
+archive[e].length);function Fi(n){let{width:e,height:t}=n[0],{table:r,place:s}=rh(n),o=[...Li("GIF89a"),...Wt(e),...Wt(t),247,0,0,...r];return o.push(33,255,11,...Li("NETSCAPE2.0"),
+3,1,0,0,0),n.forEach((a,i)=>{o.push(33,249,4,0,...Wt(i===n.length-1?150:12),0,0),o.push(44,0,0,0,0,...Wt(e),...Wt(t),0,8);let l=sh(Di(a).map(c=>s[c]));for(let c=0;c<
 l.length;c+=255){let u=l.slice(c,c+255);o.push(u.length,...u)}o.push(0)}),Uint8Array.from([...o,59])}var Li=n=>[...n].map(e=>e.charCodeAt(0)),Wt=n=>[n&255,n>>8];
-function Di({data:n}){let e=new Uint16Array(n.length/4),t=3;for(let r=0;r<e.length;r++)e[r]=n[4*r]>>t<<10|n[4*r+1]>>t<<5|n[4*r+2]>>t;return e}function nh(n){let e=new Map;
+function Di({data:n}){let e=new Uint16Array(n.length/4),t=3;for(let r=0;r<e.length;r++)e[r]=n[4*r]>>t<<10|n[4*r+1]>>t<<5|n[4*r+2]>>t;return e}function rh(n){let e=new Map;
 for(let i of n)for(let l of Di(i))e.set(l,(e.get(l)??0)+1);let t=[...e].sort(([,i],[,l])=>l-i).slice(0,256).map(([i])=>i),r=i=>[i>>10,i>>5&31,i&31],s=(i,l)=>r(i).
 reduce((c,u,h)=>c+(u-r(l)[h])**2,0),o=new Uint8Array(2**15);for(let i of e.keys()){let l=t.indexOf(i);o[i]=l>=0?l:t.reduce((c,u,h)=>s(i,u)<s(i,t[c])?h:c,0)}let a=t.
-flatMap(i=>r(i).map(l=>Math.round(l*255/31)));return{table:[...a,...Array(3*256-a.length).fill(0)],place:o}}function rh(n){let r=[],s=new Map,o=258,a=9,i=0,l=0,
+flatMap(i=>r(i).map(l=>Math.round(l*255/31)));return{table:[...a,...Array(3*256-a.length).fill(0)],place:o}}function sh(n){let r=[],s=new Map,o=258,a=9,i=0,l=0,
 c=h=>{for(i|=h<<l,l+=a;l>=8;l-=8)r.push(i&255),i>>>=8};c(256);let u=n[0];for(let h of n.subarray(1)){let m=s.get(u*256+h);if(m!==void 0){u=m;continue}c(u),o===4096?
-(c(256),s=new Map,o=258,a=9):(s.set(u*256+h,o),o===2**a&&(a+=1),o+=1),u=h}return c(u),c(257),l&&r.push(i&255),r}var sh={...Tn,numbers:!1},oh={side:260,gap:12,head:30},ah={width:1200,height:800,side:520,gap:48},ih=60;function gs(n,e){let t=Object.assign(document.createElement(
+(c(256),s=new Map,o=258,a=9):(s.set(u*256+h,o),o===2**a&&(a+=1),o+=1),u=h}return c(u),c(257),l&&r.push(i&255),r}var oh={...Tn,numbers:!1},ah={side:260,gap:12,head:30},ih={width:1200,height:800,side:520,gap:48},lh=60;function gs(n,e){let t=Object.assign(document.createElement(
 "canvas"),{width:n,height:e});return[t,t.getContext("2d",{willReadFrequently:!0})]}function Ui({recording:n},e,t){let[r,s]=gs(t,t),o=Cn(n.rows,n.cols,!1,t,t,1);
-return En({ctx:s,grid:o,colors:st(document.querySelector("canvas.board"))},n,Math.min(e,n.moments.length-1),sh,1),r}function Wi(n,e){let t=getComputedStyle(document.
+return En({ctx:s,grid:o,colors:st(document.querySelector("canvas.board"))},n,Math.min(e,n.moments.length-1),oh,1),r}function Wi(n,e){let t=getComputedStyle(document.
 body);n.fillStyle=t.backgroundColor,n.fillRect(0,0,n.canvas.width,n.canvas.height),n.fillStyle=t.color,n.font=`${e} ${t.fontFamily}`}function Bi(n){let{side:e,gap:t,
-head:r}=oh,s=Math.min(ih,Math.max(...n.map(({recording:i})=>i.moments.length-1))),[o,a]=gs(n.length*e+(n.length+1)*t,r+e+t);return Fi(Array.from({length:s+1},(i,l)=>(Wi(
+head:r}=ah,s=Math.min(lh,Math.max(...n.map(({recording:i})=>i.moments.length-1))),[o,a]=gs(n.length*e+(n.length+1)*t,r+e+t);return Fi(Array.from({length:s+1},(i,l)=>(Wi(
 a,"600 15px"),n.forEach((c,u)=>{let h=t+u*(e+t);a.fillText(c.title,h,21,e),a.drawImage(Ui(c,l,e),h,r)}),a.getImageData(0,0,o.width,o.height))))}function ji(n,e){
-let{width:t,height:r,side:s,gap:o}=ah,[a,i]=gs(t,r);return Wi(i,"600 30px"),n.forEach((l,c)=>{let u=o+c*(s+o+16);i.fillText(l.title,u,60,s),i.drawImage(Ui(l,1/0,
+let{width:t,height:r,side:s,gap:o}=ih,[a,i]=gs(t,r);return Wi(i,"600 30px"),n.forEach((l,c)=>{let u=o+c*(s+o+16);i.fillText(l.title,u,60,s),i.drawImage(Ui(l,1/0,
 s),u,80)}),e.forEach((l,c)=>{i.font=i.font.replace(/^\S+ \S+/,c<e.length-2?"500 27px":"400 19px"),i.fillText(l,o,650+37*c,t-2*o)}),new Promise(l=>a.toBlob(c=>l(
 c)))}var ze="matrixworld-evolve",vs=()=>JSON.parse(bs()?.getItem(ze)??"[]");function bs(){try{return sessionStorage}catch{return null}}var Gi=vs,sr=({address:n})=>n.
 split(/&?race=/)[0];function zi(n,e){let t=bs(),r=JSON.stringify(e,(a,i)=>i instanceof Float32Array?{floats:Array.from(i)}:i instanceof Map?{entries:[...i]}:i),
@@ -906,15 +907,15 @@ evader:Vi(s.evader)}:{}};return Object.entries(i).map(([l,c])=>`${l}=${c}`).join
 /^#/,""))],{race:r="",to:s="",then:o="",play:a="",pursuer:i="",evader:l="",...c}=Object.fromEntries(t),u=[],h=Gr(n,c,b=>u.push(b)),m=b=>b===qi?1/0:/^\d{1,6}$/.test(
 b)?Number(b):NaN,p=b=>b.split(Ie.races).map(m),y=o.split(Ie.changes).filter(Boolean).reduce((b,E)=>{let[_="",...R]=E.split(Ie.parts),k=ws({choice:h,changes:b,watched:[]}),
 A=Object.fromEntries(R.map(F=>F.split(Ie.value))),D=Gr(n,A,F=>u.push(F),k),L=Object.fromEntries(Object.entries(D).filter(([F])=>F in A));return[...b,{change:L,at:p(
-_)}]},[]),f=r||s?p(s):[],g=h.beside?2:1,v=[...y.map(({at:b})=>b),...f.length?[f]:[]].every(b=>b.length===g&&!b.some(Number.isNaN)),w=a?lh(n,h,a,i,l):null;v||u.push(
+_)}]},[]),f=r||s?p(s):[],g=h.beside?2:1,v=[...y.map(({at:b})=>b),...f.length?[f]:[]].every(b=>b.length===g&&!b.some(Number.isNaN)),w=a?ch(n,h,a,i,l):null;v||u.push(
 `to=${s}`),a&&!w&&u.push(`play=${a}`);let x="";return e.length>2*Bt?x="The link is too long, and shows nothing. ":u.length?x=`Something in the link is wrong, an\
 d left out: ${u.slice(0,3).map(E=>E.slice(0,60)).join("; ")}. `:f.length&&r!==Ki(n)&&(x="The link is of another version of this page: the race may be another on\
-e. "),{story:{choice:h,changes:v?y:[],watched:v?f:[]},dare:w,problem:x}}function lh(n,e,t,r,s){let o=/^(\d{1,20})\.(\d{1,4})\.(\d{1,3})\.(\d{1,4})\.(\d{1,3})$/.
+e. "),{story:{choice:h,changes:v?y:[],watched:v?f:[]},dare:w,problem:x}}function ch(n,e,t,r,s){let o=/^(\d{1,20})\.(\d{1,4})\.(\d{1,3})\.(\d{1,4})\.(\d{1,3})$/.
 exec(t),a=[Yi(r),Yi(s)];if(!o||!a[0]?.length||!a[1]?.length||Number(o[3])>=e.pursuers+e.evaders)return null;let i=pn(n,e);if(T.some((m,p)=>a[p].length!==Ee(ut(i,
 n.masks,m))))return null;let[l,c,u,h]=o.slice(2).map(Number);return{pursuer:a[0],evader:a[1],seed:String(BigInt.asUintN(64,BigInt(o[1]))),episode:l,seat:c,score:u,
 rate:h}}var Vi=n=>btoa(String.fromCharCode(...new Uint8Array(n.slice().buffer))).replaceAll("+","-").replaceAll("/",".").replaceAll("=","");function Yi(n){if(!/^[\w.-]*$/.
 test(n))return null;try{let e=Uint8Array.from(atob(n.replaceAll("-","+").replaceAll(".","/")),r=>r.charCodeAt(0)),t=e.length%4?null:new Float32Array(e.buffer);return t?.
-every(Number.isFinite)?t:null}catch{return null}}var ch=250,ue=(n,e,t,r="")=>d("button",{type:"button",title:e||null,class:r||null,onclick:t},n),xs=class{#e;#n;lanes=[];#t=d("div",{class:"lanes"});#r=d("div",{
+every(Number.isFinite)?t:null}catch{return null}}var uh=250,ue=(n,e,t,r="")=>d("button",{type:"button",title:e||null,class:r||null,onclick:t},n),xs=class{#e;#n;lanes=[];#t=d("div",{class:"lanes"});#r=d("div",{
 class:"of-race"});#i=ue("Evolve","",()=>this.#O(),"evolve");#o=d("progress",{max:1,value:0,"aria-label":"Progress of the race"});#h=d("p",{class:"small muted nu\
 mbers",role:"status"});#m=ue("Draw walls","Drag over the board to draw walls, and over walls to remove them",()=>this.#F());#p=ue("Usual walls","Each match draw\
 s its walls anew",()=>this.#N({walls:null}));#y=ue("Pause","",()=>this.#I());#d=ue("Again","Another race, with other luck",()=>this.#N({seed:this.#u.seed+1},!0));#f=ue(
@@ -950,7 +951,7 @@ this.#w,!s&&ge()&&history.pushState(null,"","#"),this.#M().length!==r&&this.#C()
 "",this.#R({...i,changes:[...i.changes,{change:e,at:i.watched}],watched:this.lanes.map(()=>1/0)});else for(let[l,c]of this.lanes.entries())c.change(this.#T(l))};#W(e,t,r){
 let{settings:{world:{rows:s,cols:o}},after:a}=this.lanes[0],i=Array.from({length:s*o},(m,p)=>p).filter(m=>a.recording.obstacles[m]),l={...this.#u,walls:en(this.#u.
 walls??i,e*o+t,r)},c=fn(l,this.#e.worlds[l.world]);if(c)return c;this.#u=l;let{walls:u}=l,h=Uint8Array.from({length:s*o},(m,p)=>Number(u.includes(p)));for(let m of this.
-lanes)m.after.showWalls(h);return clearTimeout(this.#A),this.#A=setTimeout(()=>this.#N({walls:u}),ch),""}#F(){let e=this.#m.ariaPressed!=="true";this.#m.ariaPressed=
+lanes)m.after.showWalls(h);return clearTimeout(this.#A),this.#A=setTimeout(()=>this.#N({walls:u}),uh),""}#F(){let e=this.#m.ariaPressed!=="true";this.#m.ariaPressed=
 String(e);for(let t of this.#b)t(e)}#$(e){let{run:t,champions:r,outcome:s}=this.lanes[0],o={pursuer:t.playing("pursuer",r.pursuer),evader:t.playing("evader",r.evader)},
 a=Array.from({length:(t.best?.[e]??t.newest)+1},(i,l)=>({name:`generation ${l}`,text:"",policy:()=>t.policy(e,l)}));this.#c.play(e,{world:t.world,policies:o,players:a,
 seed:this.#u.seed,rate:Math.round(100*(s?.rate??0)),friend:null},{seed:String(Ar(this.#n,t.world,e==="evader"?t.world.n_pursuers:0)),episode:0})}#I(){let e=!this.
@@ -971,7 +972,7 @@ recording:r})=>r).map(r=>({title:r.title.split(":")[0],recording:r.recording}))}
 lanes[0],r=[...e?.sentence.split(new RegExp("(?<=\\.) "))??[`Generation ${this.lanes[0].newestGeneration}`],`${this.#u.world}, seed ${t.seed}, ${t.schedule.generations}\
  generations of pursuers and evaders that learn against each other`,this.#z];Xe(`chase-seed-${this.#u.seed}.png`,await ji(this.#j,r))}async#Y(){let e=await Promise.
 all(this.lanes.map(async r=>({name:an(r.settings),race:await r.saved()})));if(!e.every(({race:r})=>ys(r))){this.#l.textContent="Wait for the next generation, an\
-d save then.";return}let t=`${e.map(r=>r.name).join("-and-")}-seed-${this.#u.seed}.zip`;Xe(t,Ii(e,this.#e)),this.#l.textContent=`Saved as ${t}.`}};async function uh(){
+d save then.";return}let t=`${e.map(r=>r.name).join("-and-")}-seed-${this.#u.seed}.zip`;Xe(t,Ii(e,this.#e)),this.#l.textContent=`Saved as ${t}.`}};async function hh(){
 let n=new xs(Co(),await Jt());document.addEventListener("keydown",({key:e,target:t,ctrlKey:r,metaKey:s,altKey:o})=>{t instanceof HTMLInputElement||t instanceof HTMLSelectElement||
 document.querySelector("dialog[open]")||r||s||o||(e.toLowerCase()==="d"?vr():e.toLowerCase()==="a"&&n.lanes[0].askNext())}),window.addEventListener("hashchange",
-()=>location.reload()),Object.assign(window,{matrixworldEvolve:n})}typeof document>"u"?ps(globalThis):qs(uh());})();
+()=>location.reload()),Object.assign(window,{matrixworldEvolve:n})}typeof document>"u"?ps(globalThis):qs(hh());})();
