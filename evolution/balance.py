@@ -142,7 +142,7 @@ def race(world: World, runs: Path, quick: bool, threads: int) -> dict[str, Any]:
         run = play(settings.changed({"seed": seed}), runs / f"seed-{seed}", threads=threads)
         archive = run.archive()
         champions = [
-            Population(archive[team][-1], settings.evaluation_game.policy) for team in TEAMS
+            Population(archive[team][-1], settings.evaluation_game.policies[team]) for team in TEAMS
         ]
         pursuers[f"rating {seed}"], evaders[f"rating {seed}"] = champions
     rates = captured(world, (pursuers, evaders), 2, 60)

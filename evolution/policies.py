@@ -173,7 +173,7 @@ def random_programs(settings: RaceSettings) -> dict[str, Any]:
         own = np.tile(np.arange(count), max(1, rounds))
         rivals = np.concatenate([rng.permutation(count) for _ in range(max(1, rounds))])
         seeds = rng.integers(2**63, size=len(own), dtype=np.uint64)
-        sides = (mw.Population(teams[team], game.policy) for team in TEAMS)
+        sides = (mw.Population(teams[team], game.policies[team]) for team in TEAMS)
         played = mw.rollout(
             game.world, *sides, mw.Matches.of(own, rivals, seeds), episodes=episodes, threads=1
         )
@@ -185,7 +185,7 @@ def random_programs(settings: RaceSettings) -> dict[str, Any]:
             for team, total in zip(TEAMS, sums, strict=True)
         }
     seconds = process_time() - begun
-    best = {team: mw.Population(teams[team][0], game.policy) for team in TEAMS}
+    best = {team: mw.Population(teams[team][0], game.policies[team]) for team in TEAMS}
     return {
         **{
             t: result(settings.game.world, t, best[t], episodes_of(is_quick(settings)))

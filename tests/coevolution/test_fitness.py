@@ -86,7 +86,7 @@ def test_collisions_are_counted_as_by_the_safety_monitor():
 
 def test_a_limit_decides_the_fitness_of_a_run(tmp_path):
     settings = tiny_single(rules="S", rows=4, cols=4, n_pursuers=3, train_steps=12, population=8)
-    initial = settings.evaluation_game.policy.initial
+    initial = settings.evaluation_game.policies["pursuer"].initial
     genomes = np.stack([initial(np.random.default_rng(k), head=2.0) for k in range(8)])
     run = begun(settings, tmp_path / "run", threads=1).training
     seeds = np.zeros((8, 1), np.uint64)

@@ -100,8 +100,8 @@ def test_psro_solves_the_game_of_the_matches_that_were_played(tmp_path):
     )
     played(settings, tmp_path / "run")
     training = Run(tmp_path / "run").training
-    policy = settings.evaluation_game.policy
-    pursuers, evaders = (Population(training.genomes(team), policy) for team in TEAMS)
+    policies = settings.evaluation_game.policies
+    pursuers, evaders = (Population(training.genomes(team), policies[team]) for team in TEAMS)
     for team, shape in (("pursuer", (3, 3)), ("evader", (3, 4))):
         state = training.memories[team]
         expected = np.zeros(shape)
@@ -155,7 +155,10 @@ def test_champions_are_the_best_of_new_matches(settings, tmp_path, crowned):
         key = (settings.seed, generation, generation, Phase.RETEST, TEAMS.index(team))
         seeds = training_seeds(*key, len(met) * episodes).reshape(len(met), episodes)
         for genome in genomes:
-            own, values = Population(genome[np.newaxis], settings.evaluation_game.policy), []
+            own, values = (
+                Population(genome[np.newaxis], settings.evaluation_game.policies[team]),
+                [],
+            )
             for opponent, e in np.ndindex(seeds.shape):
                 rival = 0 if isinstance(opponents, str) else met[opponent]
                 sides, pair = (own, opponents), (0, rival)
@@ -226,14 +229,15 @@ def test_against_a_run(team, other_run, tmp_path):
     assert results(tmp_path / "run") == results(tmp_path / "straight")
     assert np.array_equal(saved.teams[other(team)].genomes, rivals.genomes[-1:])
     assert saved.teams[other(team)].policy == rivals.policy
-    assert saved.teams[team].policy == settings.evaluation_game.policy
+    assert saved.teams[team].policy == settings.evaluation_game.policies[team]
     lengths = saved.payoff().extras["lengths"]
     assert [saved.record(episode=number).length for number in range(3)] == list(lengths.flat)
 
 
 def test_several_opponents_take_turns(tmp_path):
     settings = tiny_single(team="evader")
-    opponents = Population(settings.task("pursuer").genomes(2), settings.evaluation_game.policy)
+    policy = settings.evaluation_game.policies["pursuer"]
+    opponents = Population(settings.task("pursuer").genomes(2), policy)
     saved = begun(settings, tmp_path / "run", opponents=opponents).run()
     assert saved.log()["opponent"].tolist() == [0, 1, 0, 1, 0]
     assert saved.payoff().scores.shape == (2, 1, 3)
@@ -277,7 +281,7 @@ def test_bad_opponents_and_starts_are_refused(other_run, tmp_path):
     others = Population(np.zeros((1, wide.genome_size), dtype=np.float32), wide)
     with pytest.raises(ValueError, match="^opponents: "):
         begun(settings, run, opponents=others)
-    size = settings.evaluation_game.policy.genome_size
+    size = settings.evaluation_game.policies["pursuer"].genome_size
     for start, message in (
         (np.zeros(size - 1), rf"genome of shape \({size},\), got \({size - 1},\)"),
         (np.full(size, np.nan), "finite genes, got nan"),

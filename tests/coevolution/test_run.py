@@ -119,7 +119,10 @@ def test_every_cell_can_be_replayed_alone(race):
     run = co.open_run(race)
     settings, payoff = run.settings, run.payoff()
     assert payoff.scores.shape == (3, 3, 3)
-    teams = [Population(run.archive()[team], settings.evaluation_game.policy) for team in co.TEAMS]
+    teams = [
+        Population(run.archive()[team], settings.evaluation_game.policies[team])
+        for team in co.TEAMS
+    ]
     for g, h in [(0, 2), (2, 0), (1, 1)]:
         seed = evaluation_seed(settings.seed, g, h)
         scores = rollout(settings.game.world, *teams, Matches.of(g, h, seed), episodes=3)

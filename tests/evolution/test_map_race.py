@@ -60,7 +60,9 @@ def test_teams_learn_on_archived_maps_and_are_evaluated_in_the_world(tmp_path, f
 def test_regret_is_how_far_both_champions_fall_short(tmp_path):
     _, archives, race = played(settings_of("regret"), tmp_path / "run")
     pair = [
-        mw.Population(race.training.archive[team][-1][None], race.settings.evaluation_game.policy)
+        mw.Population(
+            race.training.archive[team][-1][None], race.settings.evaluation_game.policies[team]
+        )
         for team in TEAMS
     ]
     for walls, score in zip(archives[-1]["maps"], archives[-1]["scores"], strict=True):

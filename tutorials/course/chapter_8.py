@@ -38,16 +38,17 @@ def evolve(
     """
     settings = RaceSettings.of({"world": WORLD, "policy": kind, "learner": LEARNERS[kind]})
     game, learner, rng = settings.training_game, settings.learner, np.random.default_rng(seed)
+    policy = game.policies["pursuer"]
     state = learner.start(
         Task(seed, 0, epochs, lambda rng: game.untrained("pursuer", rng), None, game)
     )
     history = []
     for _ in range(epochs):
         candidates, state = learner.ask(state, rng)
-        found = score(candidates, rng.integers(2**62, size=MATCHES), game.policy)
+        found = score(candidates, rng.integers(2**62, size=MATCHES), policy)
         state = learner.tell(state, Results(found))
         history.append((candidates, found))
-    return game.policy, learner.genome(state), history
+    return policy, learner.genome(state), history
 
 
 def lengths(history: list[tuple[Genomes, FloatArray]]) -> list[float]:

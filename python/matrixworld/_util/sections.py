@@ -277,9 +277,16 @@ def _checked(item: Field[Any], hint: Any, value: Any) -> Any:
 def _as_tuple(value: Any) -> Any:
     """Return a sequence as a tuple, and a single number, such as one layer, as one of one."""
     if isinstance(value, list | tuple):
-        return tuple(part.item() if isinstance(part, np.number) else part for part in value)
+        return tuple(_as_part(part) for part in value)
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     return (value,) if is_number else value
+
+
+def _as_part(part: Any) -> Any:
+    """Return a part of a sequence as files hold it, and one that is itself a sequence as a tuple."""
+    if isinstance(part, np.number):
+        return part.item()
+    return _as_tuple(part) if isinstance(part, list | tuple) else part
 
 
 def _own_section(name: str, base: Any, value: Any) -> Any:

@@ -57,7 +57,7 @@ def test_scores_are_those_of_the_matches(race):
         assert found.rates.shape == (1, len(against), 4)
         assert found.matches == 4 * len(against)
         assert found.left_out == ""
-        own = mw.Population(run.teams[team].genomes[2], run.settings.evaluation_game.policy)
+        own = mw.Population(run.teams[team].genomes[2], run.settings.evaluation_game.policies[team])
         for number, opponent in enumerate(against.values()):
             sides = (own, opponent) if team == "pursuer" else (opponent, own)
             match = mw.Matches.of(0, 0, np.uint64(match_seed(0, TEAMS.index(team), number, 4)))

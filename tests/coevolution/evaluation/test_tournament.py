@@ -17,7 +17,7 @@ ONES = np.ones((4, 5), np.float32)
 
 
 def population(team, count):
-    return Population(SETTINGS.task(team).genomes(count), SETTINGS.evaluation_game.policy)
+    return Population(SETTINGS.task(team).genomes(count), SETTINGS.evaluation_game.policies[team])
 
 
 def played(pursuers=None, **options):

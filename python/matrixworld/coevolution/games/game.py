@@ -599,8 +599,8 @@ class Game:
     def check_opponents(self, team: Team, opponents: Any) -> None:
         """Raise ValueError if opponents do not fit the game."""
 
-    def check_start(self, population: Any) -> None:
-        """Raise ValueError if a genome to start from does not fit the game."""
+    def check_start(self, team: Team, population: Any) -> None:
+        """Raise ValueError if a genome that a team starts from does not fit the game."""
 
     def experience(self, team: Team, *matches: Any, **options: Any) -> Any:
         """Play matches again for a learner by gradients."""

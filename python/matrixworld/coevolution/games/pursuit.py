@@ -235,7 +235,7 @@ def _opponent(given: str | PythonFile, team: Team) -> Player:
 
 @dataclass(frozen=True, eq=False)
 class Pursuit(Game):
-    """Pursuit and evasion: episodes of a `world`, in which both teams have policies of one shape.
+    """Pursuit and evasion: episodes of a `world`, in which both teams have policies of one kind.
 
     The `settings` are those of the policies. `play` is a pure function with the arguments of
     `matrixworld.rollout`. Evaders that share cells have a `penalty`, multiplied by their overlap.
@@ -268,12 +268,12 @@ class Pursuit(Game):
 
     def genome_size(self, team: Team) -> int:
         """Return the number of genes of a team."""
-        return self.policy.genome_size
+        return self.policies[team].genome_size
 
     @cached_property
-    def policy(self) -> Policy:
-        """The shape of the policies of learning teams, with their mask."""
-        return self.settings.policy(self.world)
+    def policies(self) -> Mapping[Team, Policy]:
+        """The shapes of the teams' policies, if they learn, with their mask."""
+        return {team: self.settings.policy(self.world, team) for team in TEAMS}
 
     def mask(self, team: Team) -> masks.FixedWeights | None:
         """Return genes of a team that do not change, and their values; None without any."""
@@ -281,11 +281,11 @@ class Pursuit(Game):
 
     def untrained(self, team: Team, rng: Rng) -> Genome:
         """Return a new untrained genome."""
-        return self.settings.initial(self.policy, rng)
+        return self.settings.initial(self.policies[team], rng)
 
     def population(self, team: Team, genomes: Genomes) -> Population:
         """Return genomes (n, genes) as a population; ValueError unless they are finite."""
-        return Population(genomes, self.policy)
+        return Population(genomes, self.policies[team])
 
     def shape_of(self, opponents: TeamPolicy | Player) -> dict[str, Any]:
         """Return what tells the policy of opponents from elsewhere, as JSON holds it."""
@@ -335,11 +335,11 @@ class Pursuit(Game):
             opponents.policy.check_fits("opponents", self.world)
             masks.check_team("opponents", opponents, self.world, team)
 
-    def check_start(self, population: Population) -> None:
-        """Raise ValueError if a genome to start from has another policy."""
-        if population.policy != self.policy:
-            got = population.policy
-            raise ValueError(f"start: expected a genome of {self.policy}, got {got}")
+    def check_start(self, team: Team, population: Population) -> None:
+        """Raise ValueError if a genome that a team starts from has another policy."""
+        expected, got = self.policies[team], population.policy
+        if got != expected:
+            raise ValueError(f"start: expected a genome of {expected}, got {got}")
 
     def rollout(
         self, first: Any, second: Any, matches: Matches, *, episodes: int, threads: int | None

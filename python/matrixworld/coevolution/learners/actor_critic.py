@@ -43,7 +43,7 @@ from matrixworld.coevolution.learners.networks import (
     orthogonal,
 )
 from matrixworld.coevolution.learners.optimizers import annealed
-from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, Rng, Team
+from matrixworld.coevolution.types import TEAMS, BoolArray, Genome, Genomes, Indices, Rng, Team
 from matrixworld.version import imported
 
 CHUNK = 2**20
@@ -207,9 +207,10 @@ class ActorCritic(learner.Learner):
     def untrained(self, game: Game, team: Team, rng: Rng) -> Genome:
         """Return orthogonal weights: gradients vanish or explode from other beginnings."""
         assert isinstance(game, Pursuit)  # as checked
-        assert isinstance(game.policy, Network)
+        network = game.policies[team]
+        assert isinstance(network, Network)
         assert isinstance(game.settings, Cells)
-        return orthogonal(game.policy.sizes, rng, head=game.settings.initial_head)
+        return orthogonal(network.sizes, rng, head=game.settings.initial_head)
 
     @property
     def seed_groups(self) -> Indices:
@@ -225,7 +226,7 @@ class ActorCritic(learner.Learner):
         self.check_machine()
         assert isinstance(task.game, Pursuit)  # as checked
         world = task.game.world
-        network = task.game.policy
+        network = task.game.policies[TEAMS[task.team]]
         assert isinstance(network, Network)
         cells = world.rows * world.cols
         seen = CHANNELS * cells if self.central_critic else network.sizes[0]

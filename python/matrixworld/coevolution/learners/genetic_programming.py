@@ -21,7 +21,7 @@ from matrixworld.coevolution.games.pursuit import OPERATIONS, Program, Pursuit, 
 from matrixworld.coevolution.learners.generational import Generational, unscored
 from matrixworld.coevolution.learners.learner import Task
 from matrixworld.coevolution.learners.selection import fittest, select_tournament
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Rng
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Indices, Rng
 
 Tree: TypeAlias = gp.PrimitiveTree
 
@@ -206,7 +206,7 @@ class GeneticProgramming(Generational):
     def start(self, task: Task) -> State:
         """Return a population that nobody has scored yet."""
         assert isinstance(task.game, Pursuit)  # as its `any_game` says
-        policy = np.array(json.dumps(task.game.policy.to_json()))
+        policy = np.array(json.dumps(task.game.policies[TEAMS[task.team]].to_json()))
         return State(**unscored(task.genomes(self.population)), policy=policy)
 
     def genome(self, state: State) -> Genome:

@@ -133,7 +133,7 @@ def load_start(settings: RaceSettings, start: ArrayLike | None = None) -> Genome
     assert isinstance(schedule, Against)
     if start is None and schedule.start is not None:
         population = _last(settings, schedule.start, schedule.team)
-        game.check_start(population)
+        game.check_start(schedule.team, population)
         start = population.genomes[0]
     if start is None:
         return None
