@@ -218,7 +218,7 @@ class FixedTraining(Training):
 
 def given(planned: Control) -> dict[Team, Any]:
     """Return whom each team meets in a control."""
-    policy = planned.settings.game.policy.policy(planned.settings.game.world)
+    game = planned.settings.game
     found: dict[Team, Any] = {}
     for team in TEAMS:
         rival = other(team)

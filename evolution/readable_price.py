@@ -180,7 +180,7 @@ def program(world: SuiteWorld, symbols: int, budget: int) -> dict[str, Any]:
 def share_of_last(training: Training, world: SuiteWorld) -> dict[str, Any]:
     """Return the share that the last pursuers of a training guarantee, and how long they are."""
     genome = training.archive["pursuer"][-1]
-    policy = training.settings.evaluation_game.policy
+    policy = training.settings.evaluation_game.policies["pursuer"]
     pursuers = mw.Population(genome[None], policy)
     share = best_response(world.perfect.states, pursuers, "pursuer").value / world.value
     words = policy.expression(genome) if policy.kind == "program" else ""

@@ -13,7 +13,7 @@ import numpy as np
 
 from matrixworld._util.sections import SettingError
 from matrixworld.coevolution.games.game import Scores
-from matrixworld.coevolution.games.policies import Cells, Programs, Ratings
+from matrixworld.coevolution.games.policies import Cells, Programs, Ratings, inputs_of
 from matrixworld.coevolution.games.pursuit import (
     BEST_RESPONSE,
     GUARANTEE,
@@ -119,7 +119,8 @@ def check_guarantee(game: PursuitSettings) -> None:
     if isinstance(policy, Cells) and policy.memory != "none":
         raise SettingError("policy.memory", f"none {why}", repr(policy.memory))
     if isinstance(policy, Ratings | Programs):
+        read = {name for team in TEAMS for name in inputs_of(team, policy.inputs)}
         for name in DRAWN:
-            if name in policy.inputs:
+            if name in read:
                 expected = f"inputs that no episode draws {why}"
                 raise SettingError("policy.inputs", expected, name)

@@ -58,7 +58,7 @@ def _inputs() -> Any:
     return setting(Rating.inputs, text, _InputsOfTeams())
 
 
-def _of_team(team: Team, inputs: Inputs) -> Inputs:
+def inputs_of(team: Team, inputs: Inputs) -> Inputs:
     """Return the names of a team's inputs."""
     return inputs[TEAMS.index(team)] if _is_pair(inputs) else inputs  # type: ignore[return-value]
 
@@ -128,7 +128,7 @@ class Ratings(PolicySettings):
 
     def policy(self, world: WorldConfig, team: Team) -> Rating:
         """Return the shape of a team's ratings."""
-        inputs = _of_team(team, self.inputs)
+        inputs = inputs_of(team, self.inputs)
         shape: Any = {"inputs": inputs, "hidden": self.hidden, "mask": self.mask}
         return Rating(fov=world.fov, n_actions=world.n_actions, **shape)
 
@@ -148,7 +148,7 @@ class Programs(PolicySettings):
 
     def policy(self, world: WorldConfig, team: Team) -> Program:
         """Return the shape of a team's programs."""
-        inputs = _of_team(team, self.inputs)
+        inputs = inputs_of(team, self.inputs)
         shape: Any = {"inputs": inputs, "length": self.length, "mask": self.mask}
         return Program(fov=world.fov, n_actions=world.n_actions, **shape)
 
