@@ -278,7 +278,7 @@ def test_its_settings_are_those_of_asking_afresh(team, start):
     assert found.choices() == afresh.choices()
     assert found.values().keys() == first.values().keys()
     if "schedule.epochs" not in first.chosen and "actor-critic" not in start:
-        by_cma = dict.fromkeys(TEAMS, 300)
+        by_cma = dict.fromkeys(TEAMS, 150)
         epochs = by_cma if first.learner.kind == "cma" else {"pursuer": 6000, "evader": 4000}
         assert (first.schedule.epochs, found.schedule.epochs) == (epochs[team], epochs[opponent])
         assert found.game.train_steps != first.game.train_steps

@@ -55,10 +55,10 @@ ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sig
     # Those of the command:
     ({"defaults": COURTYARD},
      {"world.rows": 20, "policy": "rating", "policy.initial_weight": 0.2, "learner": "cma",
-      "learner.population": 12, "match_episodes": 4, "schedule.pursuer_epochs": 10,
+      "learner.population": 24, "match_episodes": 4, "schedule.pursuer_epochs": 5,
       "train_steps": 200}),
     ({"defaults": COURTYARD, "schedule": "against"},
-     {"learner": "cma", "learner.population": 12, "schedule.epochs": 300}),
+     {"learner": "cma", "learner.population": 24, "schedule.epochs": 150}),
     ({"defaults": COURTYARD, "learner": "es"},
      {"learner.population": 12, "learner.sigma": 0.3, "schedule.pursuer_epochs": 20,
       "match_episodes": 1}),

@@ -125,7 +125,7 @@ def usual_of_learner(kinds: Kinds) -> dict[str, Any]:
     if kinds.defaults == COURTYARD and issubclass(kinds.learner, EvolutionStrategy):
         values |= {"population": 12, "sigma": 0.3, "learning_rate": 0.0025}
     if kinds.defaults == COURTYARD and issubclass(kinds.learner, CmaEs):
-        values |= {"population": 12}
+        values |= {"population": 24, "sigma": 0.3}
     return values
 
 
@@ -165,21 +165,20 @@ def _of_gradients(kinds: Kinds) -> dict[str, Any]:
 def _of_the_courtyard(kinds: Kinds) -> dict[str, Any]:
     """Return the defaults of what ``matrixworld evolve`` plays.
 
-    CMA-ES has half of the epochs and four times the episodes, since it trusts each of its samples:
-    `evolution/learning_or_competing.py`.
+    CMA-ES has few epochs of many matches, since it trusts each of its samples.
     """
+    by_cma = issubclass(kinds.learner, CmaEs)
+    in_turns, at_once = (5, 3) if by_cma else (20, 10)  # about equal matches
     values: dict[str, Any] = {"world": COURTYARD, "policy": POLICY[COURTYARD]}
-    epochs = 20
-    if issubclass(kinds.learner, CmaEs):
+    if by_cma:
         values |= {"learner": OF_RATINGS, "match_episodes": 4}
-        epochs = 10
     if kinds.policy is Ratings:
         values["policy.initial_weight"] = 0.2
     if issubclass(kinds.schedule, InTurns):
-        values["schedule.pursuer_epochs"] = epochs
-        values["schedule.evader_epochs"] = epochs
+        values["schedule.pursuer_epochs"] = in_turns
+        values["schedule.evader_epochs"] = in_turns
     if issubclass(kinds.schedule, AtOnce):
-        values["schedule.joint_epochs"] = epochs // 2
-    if issubclass(kinds.schedule, Against) and issubclass(kinds.learner, CmaEs):
-        values |= {"schedule.epochs": 300, "schedule.archive_every": 10}
+        values["schedule.joint_epochs"] = at_once
+    if issubclass(kinds.schedule, Against) and by_cma:
+        values |= {"schedule.epochs": 150, "schedule.archive_every": 5}
     return values
