@@ -225,9 +225,8 @@ def given(planned: Control) -> dict[Team, Any]:
         if planned.control == SCRIPT:
             found[team] = best_script(planned.place, rival)
         elif planned.control == MIXTURE:
-            weights = [
-                [each.get(name, 0.0) for name in policy.inputs] for each in LIKE_SCRIPTS[rival]
-            ]
+            like, policy = LIKE_SCRIPTS[rival], game.policy.policy(game.world, rival)
+            weights = [[each.get(name, 0.0) for name in policy.inputs] for each in like]
             found[team] = mw.Population(np.array(weights, np.float32), policy)
         else:
             archive = SavedRun(planned.race).teams[rival]

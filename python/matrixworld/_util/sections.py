@@ -283,7 +283,7 @@ def _as_tuple(value: Any) -> Any:
 
 
 def _as_part(part: Any) -> Any:
-    """Return a part of a sequence as files hold it, and one that is itself a sequence as a tuple."""
+    """Return a part of a sequence as files hold it; one that is a sequence itself as a tuple."""
     if isinstance(part, np.number):
         return part.item()
     return _as_tuple(part) if isinstance(part, list | tuple) else part
