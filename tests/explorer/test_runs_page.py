@@ -150,13 +150,15 @@ def test_a_step_opens_in_the_playground(page, job):
 
 @pytest.fixture(scope="module")
 def rated(tmp_path_factory):
-    """Runs of policies that rate moves: weights of named inputs, and programs."""
-    settings = [
-        tiny_race(policy="rating", hidden=(), obstacles=0.15),
-        tiny_race(policy="program", learner="gp", obstacles=0.15),
-    ]
+    """Runs of policies that rate moves: weights of inputs, programs, and inputs of each team."""
+    inputs = (("adversary", "escapes", "opposite"), ("adversary", "room"))
+    settings = {
+        "weights": tiny_race(policy="rating", hidden=(), obstacles=0.15),
+        "programs": tiny_race(policy="program", learner="gp", obstacles=0.15),
+        "teams": tiny_race(policy="rating", hidden=(), inputs=inputs, rows=4, cols=4, fov=7),
+    }
     out = tmp_path_factory.mktemp("rated")
-    return [evolve(each, out / each.game.policy.kind, threads=1) for each in settings]
+    return [evolve(each, out / name, threads=1) for name, each in settings.items()]
 
 
 INPUTS = "window.matrixworldExplorer.inputs"
@@ -224,8 +226,18 @@ def test_the_board_draws_the_inputs_of_a_move(browser, rated, tmp_path):
     # Nobody is chosen: the pointer on an agent tells of the move that it takes.
     point(*browser.js(BESIDE, size, (row, col)))
     browser.wait(f"{INPUTS} !== null")
-    browser.press("2")
-    browser.wait(f"{PLAYED}.startsWith('1 ')")
+    # Each team has its own inputs, and pursuers have an evader in view.
+    browser.js("location.hash = '#run=2&pursuers=2&evaders=1&episode=0&step=0'")
+    browser.wait(f"{PLAYED} === '2 2 1 0 ' && matrixworldExplorer.step === 0")
+    assert browser.js("document.querySelectorAll('.signs li').length") == 4
+    counts = "(({ escape, held, sides, exits }) => [[...escape, ...held].length, !sides, exits])"
+    browser.press("a")
+    cells, alone, exits = browser.js(f"{counts}({INPUTS})")
+    assert 3 <= cells <= 5  # on a grid without obstacles
+    assert not alone
+    assert exits == []
+    browser.press(*"aa")  # an evader
+    assert browser.js(f"{counts}({INPUTS})") == [0, True, []]
     assert browser.violations() == browser.errors() == []
 
 
@@ -336,7 +348,7 @@ def test_genomes_are_exact(race):
 
 
 def test_programs_are_there_as_expressions(rated):
-    (weights, programs), _ = runs_data([("weights", rated[0]), ("programs", rated[1])])
+    (weights, programs, teams), _ = runs_data([(run.path.name, run) for run in rated])
     team = rated[1].teams["evader"]
     assert programs["teams"]["evader"]["expressions"] == [
         team.policy.expression(genome) for genome in team.genomes
@@ -346,6 +358,8 @@ def test_programs_are_there_as_expressions(rated):
     shape = weights["teams"]["pursuer"]["policy"]
     found = [shape[name] for name in ("kind", "inputs", "genome_size")]
     assert found == ["rating", [*Rating.inputs], len(Rating.inputs)]
+    inputs = [teams["teams"][team]["policy"]["inputs"] for team in TEAMS]
+    assert inputs == [["adversary", "escapes", "opposite"], ["adversary", "room"]]
 
 
 def test_a_single_team_has_one_cell_at_its_last_generation(job):

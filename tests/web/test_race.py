@@ -129,6 +129,12 @@ SAVED = {
     "with other eyes": [{"world.fov": 7}, {"world.fov": 5, "policy.mask": "right-of-way"}],
     "without a mask": [{"policy.mask": "right-of-way", "policy.hidden": [4]}, {"world.fov": 3}],
     "weights of named inputs": [{"policy": "rating"}, {"policy": "rating", "world.fov": 7}],
+    "inputs of each team": [
+        {
+            "policy": "rating",
+            "policy.inputs": [["adversary", "escapes"], ["adversary", "room", "parity"]],
+        }
+    ],
     "with another schedule": [
         {"learner": "ga"},
         {**HALL, "learner": "ga", "learner.population": 8, "train_steps": 9},

@@ -14,7 +14,7 @@ import { fixedOf, genesOf, masked, policyOf, reshaped, untrained } from "./netwo
 import type { Mask, Shape } from "./network.ts";
 import { pairings, tableMeans } from "./pairings.ts";
 import { PHASE, evaluationSeed, seedsOf } from "./seeds.ts";
-import { overlapPenalty } from "./settings.ts";
+import { inputsOf, overlapPenalty } from "./settings.ts";
 import type { RaceSettings } from "./settings.ts";
 
 /** The results of a pair of generations: those of each episode, and means over episodes by team. */
@@ -75,15 +75,15 @@ const FIXED_PHASE = 8;
 const SEVERAL = -1;
 
 /** Return what plays for a team, without a genome. */
-export const shapeOf = ({ world, policy }: RaceSettings, masks: OfTeams<Mask>, team: Team): Shape =>
-  policy.kind === "rating"
-    ? policy
-    : {
-        kind: "cells",
-        fov: world.fov,
-        hidden: policy.hidden,
-        mask: policy.mask === "none" ? null : masks[team],
-      };
+export function shapeOf({ world, policy }: RaceSettings, masks: OfTeams<Mask>, team: Team): Shape {
+  if (policy.kind === "rating") return { ...policy, inputs: inputsOf(policy, team) };
+  return {
+    kind: "cells",
+    fov: world.fov,
+    hidden: policy.hidden,
+    mask: policy.mask === "none" ? null : masks[team],
+  };
+}
 
 /** A race that is played step by step, and whose settings may change meanwhile. */
 export class Race {

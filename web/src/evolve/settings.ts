@@ -1,6 +1,7 @@
 // The settings of a race, as `matrixworld.coevolution.RaceSettings.to_json` writes them. A page's race
 // follows those that are named here; the others have the values that Python's page gives them.
 
+import type { Team } from "../engine/teams.ts";
 import type { RatingPolicy, WorldConfig } from "../engine/types.ts";
 import type { LearnerSettings } from "./learners.ts";
 
@@ -31,8 +32,11 @@ interface Cells {
   readonly mask: "none" | "right-of-way";
 }
 
-/** Policies that rate moves by a weighted sum of named inputs. */
-export interface Ratings extends Omit<RatingPolicy, "genome"> {
+type Inputs = RatingPolicy["inputs"];
+
+/** Policies that rate moves by a weighted sum of named inputs, those of both teams or of each. */
+export interface Ratings extends Omit<RatingPolicy, "genome" | "inputs"> {
+  readonly inputs: Inputs | readonly [pursuers: Inputs, evaders: Inputs];
   readonly initial_weight: number;
 }
 
@@ -44,6 +48,12 @@ export interface RaceSettings {
   readonly train_steps: number;
   readonly evaluation_episodes: number;
   readonly seed: number;
+}
+
+/** Return the inputs of a team. */
+export function inputsOf({ inputs }: Ratings, team: Team): Inputs {
+  const isPair = (each: Ratings["inputs"]): each is readonly [Inputs, Inputs] => typeof each[0] !== "string";
+  return isPair(inputs) ? inputs[team === "pursuer" ? 0 : 1] : inputs;
 }
 
 /** Penalty of evaders that share a cell, where teammates may. */

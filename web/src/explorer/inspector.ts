@@ -293,7 +293,7 @@ export class Inspector {
       );
     }
     const rates = this.#rates(agent);
-    const shown = this.#shownMove(agent);
+    const shown = this.#onShow ? this.#shownMove(agent) : null;
     const rated = rates ? whyTable(rates, world.rate(rates, agent), taken, shown, this.#program(agent)) : [];
     const game = this.#solution?.game(world) ?? null;
     const columns = [

@@ -7,7 +7,7 @@ Moves of one state may be of different cases; how often a move of each is taken 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -100,8 +100,7 @@ def _deed_of(
     program: Program, tree: Node, seen: NDArray[np.float32], moves: NDArray[np.bool_]
 ) -> str:
     """Return what an agent does that rates these moves by a tree."""
-    rate: Callable[[NDArray[np.float32]], NDArray[np.float32]]
-    rate = lambda inputs: program.values(tree, inputs)  # noqa: E731
+    rate = partial(program.values, tree)
     return deed({name: effect_of(rate, seen, moves, name) for name in program.inputs})
 
 

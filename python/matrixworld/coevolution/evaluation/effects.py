@@ -212,8 +212,12 @@ def effect_of(
     mean = np.divide((x * moves).sum(axis=1), counts, out=np.zeros(len(x)), where=counts > 0)
     changed = seen.copy()
     changed[..., column] = mean[:, None]
-    # What a rating changes when the input goes from the mean to its value.
-    change = rate(seen).astype(np.float64) - rate(changed)
+    # What a rating changes when the input goes from the mean to its value. It may be infinite.
+    greatest = np.finfo(np.float32).max
+    own, at_mean = (
+        np.clip(rate(x), -greatest, greatest).astype(np.float64) for x in (seen, changed)
+    )
+    change = own - at_mean
     change *= np.sign(seen[..., column] - changed[..., column])
     share = moves / np.maximum(counts, 1)[:, None] / max(np.count_nonzero(counts), 1)
     squares = share * change**2

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 7a7d8266a1af35e4951e1674d7d4411b810b57299fb72a9900d864d0f19b455c */
+/* built from web/ by "npm run build"; sources 3b56cb88f1bf1f723d17d833b7c1764917688f145758648dde1297fe53ca2613 */
 "use strict";(()=>{var vr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},rt={DISAPPEAR:0,REACH:1,BOUNCE:2},wr={OCCUPATION:0,SURROUND:1},xr={FAULT:0,INVOLVED:1};var Sn=["obstacle","teammate","adversary"],Mn=["vertex","edge","chain"],Sr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Tn=["p\
 ursuer_{number}","evader_{number}"],Mr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ot={"both held":"both bounce","both doomed":"\
@@ -426,15 +426,15 @@ s,a),moved:o.moved})}#E(e){let n=e===this.#l?this.#y:null;return this.#s?.move??
 n=this.#d,r=this.#h,o=this.#p,s=this.#i,a=this.#l;if(!e||!n||!r||!o||!s||a===null)return;let i=this.#w(a);this.#m.replaceChildren(),this.#o.replaceChildren(p("s\
 pan",{class:i},ee(a,e.config.n_pursuers)));let l=this.#R(a);if(Os(this.#n,e.config,l?.view??null,a),this.#n.ariaLabel=`Field of view of ${ee(a,e.config.n_pursuers)}\
 : evaders, pursuers and obstacles around it`,!l)return this.#O([],"It is gone.");let c=this.#T(a),m=s[`${i}s`],u=typeof m!="string"&&m.kind==="cells"?n.answer(m,
-a):null,d=u?.probabilities??null;u?.memory.length&&this.#m.replaceChildren(p("p",{class:"small muted"},"It remembers:"),Ml(u.memory));let h=this.#M(a),y=this.#E(
-a),f=h?$s(h,n.rate(h,a),c,y,this.#x(a)):[],g=this.#g?.game(n)??null,b=[["network",d],["perfect",g?.marginal(a)??null]],w=v=>p("p",{class:"small muted"},v);this.#O(
-[...g?[w(`Value ${g.value.toFixed(2)} under perfect play.`)]:[],...xl(b,c),...f],c===null?"The episode is over.":wl(m,c))}#O(e,n){this.#a.replaceChildren(...e),
-this.#c.textContent=n}};function wl(t,e){return typeof t=="string"?`The script "${t}" plays for it; it goes ${ie[e]}.`:t.kind!=="cells"?"It takes the best move \
-that its mask allows; of equal ones any.":t.sampled?"Its action is drawn from these probabilities.":"It takes the most probable action."}function xl(t,e){let n=t.
-filter(([,s])=>s);if(!n.length)return[];let r=p("div",{class:"action muted"},p("span"),...n.map(([s])=>p("span",{class:"head"},s))),o=Array.from(n[0][1],(s,a)=>p(
-"div",{class:a===e?"action taken":"action"},p("span",{},ie[a]),...n.flatMap(([,i])=>Sl(i[a]))));return n.length>1||n[0][0]!==t[0][0]?[r,...o]:o}function Sl(t){let e=p(
-"span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"track"},e),p("span",{class:"numbers"},t.toFixed(2))]}function Ml(t){let e=Array.from(
-t,n=>{let r=p("span",{title:n.toFixed(2)});return r.style.transform=`scaleY(${n})`,r});return p("div",{class:"units",role:"img","aria-label":Ps},...e)}var Tl=200;function _s(t,e,{pursuer:n,evader:r},o){let{text:s,image:a}=e.shows[`${n} ${r}`]??{},i=Ce(t,n,r)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length}\
+a):null,d=u?.probabilities??null;u?.memory.length&&this.#m.replaceChildren(p("p",{class:"small muted"},"It remembers:"),Ml(u.memory));let h=this.#M(a),y=this.#r?
+this.#E(a):null,f=h?$s(h,n.rate(h,a),c,y,this.#x(a)):[],g=this.#g?.game(n)??null,b=[["network",d],["perfect",g?.marginal(a)??null]],w=v=>p("p",{class:"small mut\
+ed"},v);this.#O([...g?[w(`Value ${g.value.toFixed(2)} under perfect play.`)]:[],...xl(b,c),...f],c===null?"The episode is over.":wl(m,c))}#O(e,n){this.#a.replaceChildren(
+...e),this.#c.textContent=n}};function wl(t,e){return typeof t=="string"?`The script "${t}" plays for it; it goes ${ie[e]}.`:t.kind!=="cells"?"It takes the best\
+ move that its mask allows; of equal ones any.":t.sampled?"Its action is drawn from these probabilities.":"It takes the most probable action."}function xl(t,e){
+let n=t.filter(([,s])=>s);if(!n.length)return[];let r=p("div",{class:"action muted"},p("span"),...n.map(([s])=>p("span",{class:"head"},s))),o=Array.from(n[0][1],
+(s,a)=>p("div",{class:a===e?"action taken":"action"},p("span",{},ie[a]),...n.flatMap(([,i])=>Sl(i[a]))));return n.length>1||n[0][0]!==t[0][0]?[r,...o]:o}function Sl(t){
+let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"track"},e),p("span",{class:"numbers"},t.toFixed(2))]}function Ml(t){let e=Array.
+from(t,n=>{let r=p("span",{title:n.toFixed(2)});return r.style.transform=`scaleY(${n})`,r});return p("div",{class:"units",role:"img","aria-label":Ps},...e)}var Tl=200;function _s(t,e,{pursuer:n,evader:r},o){let{text:s,image:a}=e.shows[`${n} ${r}`]??{},i=Ce(t,n,r)?.rates??[],l=`Scores of the ${e.teams[0]} in ${i.length}\
  episodes: ${i.map(m=>N(m)).join(", ")}`,c=Al(t,e,n,r);return[s===void 0?null:p("pre",{tabindex:0,"aria-label":"What the game shows of this pair"},s),a===void 0?
 null:p("img",{src:a,alt:"What the game shows of this pair",onload:({target:m})=>m.classList.toggle("pixels",m.naturalWidth<Tl)}),...(s??a)===void 0?[p("p",{class:"\
 muted"},e.missing),Cl(t,e,n,r,o)]:[],c?p("p",{class:"small numbers"},c):null,i.length>1?p("p",{class:"small numbers"},l):null].filter(m=>m!==null)}function Al(t,e,n,r){

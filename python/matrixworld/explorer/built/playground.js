@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 7a7d8266a1af35e4951e1674d7d4411b810b57299fb72a9900d864d0f19b455c */
+/* built from web/ by "npm run build"; sources 3b56cb88f1bf1f723d17d833b7c1764917688f145758648dde1297fe53ca2613 */
 "use strict";(()=>{var gr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},rt={DISAPPEAR:0,REACH:1,BOUNCE:2},yr={OCCUPATION:0,SURROUND:1},vr={FAULT:0,INVOLVED:1};var ot=["obstacle","teammate","adversary"],yn=["vertex","edge","chain"],br=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],vn=["p\
 ursuer_{number}","evader_{number}"],wr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},st={"both held":"both bounce","both doomed":"\
