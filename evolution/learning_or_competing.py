@@ -41,9 +41,9 @@ Expected, before any of these races was played:
    nobody competes; and by cma in at most one of ten, race or mixture.
 6. In MW-25 the races guarantee more than the teams that learned against a script: by .05 of perfect
    play, both teams.
-7. Stated later, when parts of thicket were known: with half of the epochs (*slow es*, the settings by
-   which `matrixworld evolve` played before) the judgement finds an arms race in at least half of
-   the races, and in at least half of the runs of the mixture, in courtyard and thicket.
+7. Stated later, when parts of thicket were known: with half of the epochs (*slow es*, the settings
+   by which `matrixworld evolve` played before) the judgement finds an arms race in at least half
+   of the races, and in at least half of the runs of the mixture, in courtyard and thicket.
 
 Differences are between runs of the same seed or world, with their 95 % interval (Student's t);
 p-values are adjusted for the rows of a table (Holm). *Alike* means that the whole interval lies
