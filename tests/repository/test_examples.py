@@ -23,6 +23,7 @@ from click.testing import CliRunner
 import matrixworld as mw
 from matrixworld.cli import main
 from matrixworld.coevolution import RaceSettings
+from matrixworld.coevolution.settings.usual import COURTYARD, DEFAULTS
 from notebooks import NOTEBOOKS
 from pages import ROOT, page_id, read
 
@@ -199,7 +200,9 @@ def check_settings(line, given):
     if len(schedules) == 1 and schedules[0].islower():
         values = {path: given[name] for name, path in OPTIONS.items() if given.get(name)}
         values |= {**sets, "schedule": schedules[0]}
-        RaceSettings.of({path: value_of(value) for path, value in values.items()})
+        from_paper = any(given.get(name) for name in ("paper", "config", "game"))
+        start = {} if from_paper else {DEFAULTS: COURTYARD}
+        RaceSettings.of(start, {path: value_of(value) for path, value in values.items()})
 
 
 @pytest.mark.parametrize("page", PAGES, ids=page_id)

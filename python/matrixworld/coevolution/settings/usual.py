@@ -124,7 +124,7 @@ def usual_of_learner(kinds: Kinds) -> dict[str, Any]:
             values["anneal"] = True
     if kinds.defaults == COURTYARD and issubclass(kinds.learner, EvolutionStrategy):
         values |= {"population": 12, "sigma": 0.3, "learning_rate": 0.0025}
-    if kinds.defaults == COURTYARD and issubclass(kinds.learner, CmaEs):
+    if kinds.defaults == COURTYARD and issubclass(kinds.learner, CmaEs) and not kinds.guarantee:
         values |= {"population": 24, "sigma": 0.3}
     return values
 
@@ -171,7 +171,9 @@ def _of_the_courtyard(kinds: Kinds) -> dict[str, Any]:
     in_turns, at_once = (5, 3) if by_cma else (20, 10)  # about equal matches
     values: dict[str, Any] = {"world": COURTYARD, "policy": POLICY[COURTYARD]}
     if by_cma:
-        values |= {"learner": OF_RATINGS, "match_episodes": 4}
+        values["learner"] = OF_RATINGS
+    if by_cma and not kinds.guarantee:
+        values["match_episodes"] = 4
     if kinds.policy is Ratings:
         values["policy.initial_weight"] = 0.2
     if issubclass(kinds.schedule, InTurns):
@@ -179,6 +181,6 @@ def _of_the_courtyard(kinds: Kinds) -> dict[str, Any]:
         values["schedule.evader_epochs"] = in_turns
     if issubclass(kinds.schedule, AtOnce):
         values["schedule.joint_epochs"] = at_once
-    if issubclass(kinds.schedule, Against) and by_cma:
+    if issubclass(kinds.schedule, Against) and by_cma and not kinds.guarantee:
         values |= {"schedule.epochs": 150, "schedule.archive_every": 5}
     return values
