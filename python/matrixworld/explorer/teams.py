@@ -17,7 +17,7 @@ from matrixworld.coevolution.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Genomes
 from matrixworld.episodes.episode import animation
 from matrixworld.play.player import Player
-from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 from matrixworld.world.program import Program
 
 MOST_BYTES = 48 * 2**20
@@ -95,8 +95,8 @@ WHY_NOT = {
 def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str, Any] | None:
     """Return facts of a game that the page cannot play, and what it shows of some cells, or None.
 
-    It cannot play games of your own, nor programs in pursuit. The page is one of `share` runs with
-    such games.
+    It cannot play games of your own, nor in pursuit programs and best responses. The page is one of
+    `share` runs with such games.
     """
     own = run.settings.game
     if not isinstance(own, OwnGame):
@@ -116,9 +116,14 @@ def plain_game(run: SavedRun, share: int = 1, *, ended: bool = True) -> dict[str
 
 
 def _plain_pursuit(run: SavedRun, ended: bool) -> dict[str, Any] | None:
-    """Return the same of pursuit in which a program plays: a recorded episode; else None."""
-    programs = [team.name for team in run.sides if isinstance(team, Player)]
-    if not programs:
+    """Return the same of pursuit with a team that is neither genomes nor a script; else None.
+
+    The page shows a recorded episode of it.
+    """
+    others = [team for team in run.sides if not isinstance(team, Population)]
+    names = [team.name if isinstance(team, Player) else team for team in others]
+    names = [name for name in names if name not in SCRIPTS]
+    if not names:
         return None
     shows = {}
     if ended:
@@ -128,9 +133,9 @@ def _plain_pursuit(run: SavedRun, ended: bool) -> dict[str, Any] | None:
         shows["{} {}".format(*last)] = {"image": image}
     return {
         "teams": list(run.settings.game.teams),
-        "exact": False,
+        "exact": run.facts.exact,
         "shows": shows,
-        "missing": WHY_NOT["program"].format(name=programs[0]),
+        "missing": WHY_NOT["program"].format(name=names[0]),
     }
 
 
