@@ -69,7 +69,10 @@ class Why(Enum):
     NOT_ONE_SIDED = "neither team gets {number:.0%} of its payoff in half of the generations"
 
     # Progress:
-    BOTH_RISE = "both teams rise by more than a random walk with such steps would"
+    BOTH_RISE = (
+        "both teams rise by more than a random walk with such steps would; whether they need each "
+        "other for it, no matrix tells"
+    )
     ONE_RISES = "one team rises by more than a random walk would, the other stands still"
     ONE_WITHOUT_TREND = "a team has no trend: its gain is not above 0, and below {number}"
     BOTH_WITH_TREND = "both teams have a trend"
