@@ -3,17 +3,16 @@
     python evolution/balanced_races.py --threads 1   an hour of one core
     python evolution/balanced_races.py --quick       two seeds of short races, some seconds
 
-Ten seeds of three schedules in the worlds with names, which `balance.py` has chosen, and in the
-paper's world. In the former, policies rate moves by named inputs and evolve by CMA-ES, as in
-`matrixworld evolve`; in the latter they are networks over cells and evolve by the evolution
-strategy, as in `evolve --paper`. All schedules have about the same number of training matches.
+Ten seeds of three schedules in the worlds with names, which `balance.py` has chosen. Policies rate
+moves by named inputs and evolve by CMA-ES, as in `matrixworld evolve`. All schedules have about the
+same number of training matches.
 
 Each race is judged by itself, and each group of ten together, as `matrixworld judge` does: in both
-halves of the generations, and in the whole race. In the worlds with names a *champion* is the best
-generation of a team as `SavedRun.best` chooses it, on other episodes against held-out opponents.
-It is *above* a script if the 95 % interval of the difference, over 1,000 episodes that both play
-against each held-out opponent, lies above 0. All scripts that make sense for the team are asked,
-careful ones, too. None of the opponents is met in training.
+halves of the generations, and in the whole race. A *champion* is the best generation of a team as
+`SavedRun.best` chooses it, on other episodes against held-out opponents. It is *above* a script if
+the 95 % interval of the difference, over 1,000 episodes that both play against each held-out
+opponent, lies above 0. All scripts that make sense for the team are asked, careful ones, too. None
+of the opponents is met in training.
 
 Stated before these races were played: the settings stand if champions of both teams are above every
 script in at least nine of ten seeds of each schedule in each world. Seeds are 20 to 29: settings
@@ -35,14 +34,12 @@ from matrixworld.coevolution.evaluation.held_out import opponents_of, scripts_fo
 from matrixworld.coevolution.evaluation.held_out_matches import play_held_out
 from matrixworld.coevolution.evaluation.scores import best_scripts
 from matrixworld.coevolution.types import FloatArray
-from race_budgets import SCHEDULES, scores_of
+from race_budgets import SCHEDULES
 
 QUICK = {"schedule.generations": 8, "learner.population": 4, "evaluation_episodes": 4}
 WINDOWS = ("first half", "last half", "whole")
 SHOWN = ("arms race", "one-sided progress", "intransitivity", "forgetting", "disengagement")
 SEEDS, FIRST_SEED = 10, 20
-PAPER = "O"
-"""The paper's world."""
 EPISODES, QUICK_EPISODES = 1000, 4
 COMMON = 10**6
 """The seed of the episodes that champions and scripts play."""
@@ -59,8 +56,6 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
             found[f"{world}; {schedule}"] = RaceSettings.of(
                 usual, {"world": world, **(short if quick else {})}
             )
-    for schedule in () if quick else SCHEDULES:
-        found[f"{PAPER}; {schedule}"] = RaceSettings.of({"schedule": schedule})
     return found
 
 
@@ -110,19 +105,15 @@ def champions(run: SavedRun, episodes: int) -> dict[str, float]:
     return found
 
 
-def numbers_of(run: SavedRun, episodes: int) -> dict[str, float]:
-    """Return the scores of a run; a file beside it keeps those of champions."""
-    if run.settings.game.policy.kind != "rating":
-        return scores_of(run)
-    return kept(run.path.with_suffix(".champions.json"), partial(champions, run, episodes))
-
-
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     """Return scores, matches and what is found of each kind, and the best scripts of the worlds."""
     episodes = QUICK_EPISODES if quick else EPISODES
     numbers: dict[str, Any] = {}
     for kind, each in runs.items():
-        found = [numbers_of(run, episodes) for run in each]
+        found = [
+            kept(run.path.with_suffix(".champions.json"), partial(champions, run, episodes))
+            for run in each
+        ]
         numbers |= {f"{kind} / {n}": np.array([one[n] for one in found]) for n in found[0]}
         every = np.stack([run.payoff().scores for run in each])
         numbers[f"matches of {kind}"] = each[0].log()["matches"][-1] + every[0].size
@@ -137,8 +128,6 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
 def cell_of_scores(numbers: Numbers, kind: str, team: Team) -> str:
     """Return the score of the champions of a team, of its last generations, and who is above."""
     scores = numbers[f"{kind} / {team}"]
-    if f"{kind} / {team} above" not in numbers:
-        return mean(scores)
     above = int((numbers[f"{kind} / {team} above"] > 0.0).sum())
     last = mean(numbers[f"{kind} / {team} last"], bounds=(0.0, 1.0))
     told = mean(scores, bounds=(0.0, 1.0))
@@ -148,7 +137,7 @@ def cell_of_scores(numbers: Numbers, kind: str, team: Team) -> str:
 def table(numbers: Numbers) -> str:
     """Return what races are in each world, in Markdown."""
     rows = []
-    for world in (*WORLDS, PAPER):
+    for world in WORLDS:
         kinds = [each for each in kinds_in(numbers) if each.startswith(f"{world}; ")]
         if not kinds:
             continue

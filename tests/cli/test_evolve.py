@@ -84,8 +84,10 @@ def test_options_become_settings():
 def test_the_default_job_is_the_one_that_was_judged():
     """Of kept results; ``--paper`` and files start from the settings without any."""
     kept = balanced_races.kinds(quick=False)
-    for options, world in (({}, "courtyard"), ({"world": "park"}, "park"), ({"paper": True}, "O")):
+    for options, world in (({}, "courtyard"), ({"world": "park"}, "park")):
         assert settings_of(options) == [kept[f"{world}; {name}"] for name in MAIN_JOB]
+    of_paper = [RaceSettings.of(schedule=name) for name in MAIN_JOB]
+    assert settings_of({"paper": True}) == of_paper
     assert settings_of({"config": {}}) == settings_of({"paper": True})
     changed = RaceSettings.of(default_race("hall-of-fame"), {"learner": "ga", "world.rows": 9})
     assert settings_of({"schedule": ("hall-of-fame",), "learner": "ga", "rows": 9}) == [changed]
