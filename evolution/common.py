@@ -146,7 +146,7 @@ def experiment(
     measure: Callable[[Runs, bool], Mapping[str, ArrayLike]],
     table: Callable[[Numbers], str],
     seeds: int | Mapping[str, int],
-    first_seed: int = 0,
+    first_seed: int | Mapping[str, int] = 0,
     fewest: int = 1,
     play: Play = play,
     then: Callable[[Runs, bool], Mapping[str, list[Any]]] | None = None,
@@ -168,8 +168,8 @@ def experiment(
         Numbers -> what they say, in Markdown.
     seeds : int or mapping of str to int
         Runs of each kind, if ``--seeds`` does not say another number; two with ``--quick``.
-    first_seed : int, optional
-        The seed of the first run of each kind.
+    first_seed : int or mapping of str to int, optional
+        The seed of the first run of each kind; those of `then` begin with 0 unless it is one number.
     fewest : int, optional
         Seeds that the measures need: two if a run meets teams of other seeds.
     play : callable, optional
@@ -187,23 +187,27 @@ def experiment(
     args = parser.parse_args()
     if args.seeds is not None and args.seeds < fewest:
         parser.error(f"argument --seeds: expected at least {fewest}, got {args.seeds}")
+
+    def first_of(kind: str) -> int:
+        return first_seed if isinstance(first_seed, int) else first_seed.get(kind, 0)
+
     planned = {}
     for kind, settings in _chosen(parser, kinds(args.quick), args.kinds).items():
         usual = seeds if isinstance(seeds, int) else seeds[kind]
         count = args.seeds or (2 if args.quick else usual)
-        planned[kind] = [replace(settings, seed=first_seed + run) for run in range(count)]
+        planned[kind] = [replace(settings, seed=first_of(kind) + run) for run in range(count)]
 
     def finished(planned: Mapping[str, list[Any]]) -> dict[str, list[SavedRun]]:
         # Seed by seed, so that what is finished at any time is a fair sample of the kinds.
         settings = {
-            f"{slug(kind)}/{first_seed + run}": of_kind[run]
+            f"{slug(kind)}/{first_of(kind) + run}": of_kind[run]
             for run in range(max(map(len, planned.values()), default=0))
             for kind, of_kind in planned.items()
             if run < len(of_kind)
         }
         runs = finish_all(settings, args.runs, play=play, threads=args.threads, where=args.cluster)
         return {
-            kind: [runs[f"{slug(kind)}/{first_seed + run}"] for run in range(len(of_kind))]
+            kind: [runs[f"{slug(kind)}/{first_of(kind) + run}"] for run in range(len(of_kind))]
             for kind, of_kind in planned.items()
             if of_kind
         }

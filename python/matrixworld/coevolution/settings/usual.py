@@ -168,7 +168,7 @@ def _of_the_courtyard(kinds: Kinds) -> dict[str, Any]:
     CMA-ES has few epochs of many matches, since it trusts each of its samples.
     """
     by_cma = issubclass(kinds.learner, CmaEs)
-    in_turns, at_once = (5, 3) if by_cma else (20, 10)  # about equal matches
+    in_turns, at_once = (5, 5) if by_cma else (20, 10)
     values: dict[str, Any] = {"world": COURTYARD, "policy": POLICY[COURTYARD]}
     if by_cma:
         values["learner"] = OF_RATINGS
