@@ -169,7 +169,7 @@ def experiment(
     seeds : int or mapping of str to int
         Runs of each kind, if ``--seeds`` does not say another number; two with ``--quick``.
     first_seed : int or mapping of str to int, optional
-        The seed of the first run of each kind; those of `then` begin with 0 unless it is one number.
+        The seed of the first run of each kind; of kinds that are not named, 0.
     fewest : int, optional
         Seeds that the measures need: two if a run meets teams of other seeds.
     play : callable, optional
