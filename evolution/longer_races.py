@@ -58,8 +58,8 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
         judged = [analysis.judge(run.payoff().scores, per_episode=True) for run in each]
         found = [one.present("whole") for one in judged]
         numbers[f"{kind} / found"] = np.array([[name in one for name in SHOWN] for one in found])
-        reached = [[by for _, by in one.leads.values()] for one in judged]
-        leads = [[lead.value for lead, _ in one.leads.values()] for one in judged]
+        reached = [[lead.reached or np.nan for lead in one.leads.values()] for one in judged]
+        leads = [[lead.size.value for lead in one.leads.values()] for one in judged]
         numbers[f"{kind} / reached"] = np.array(reached)
         numbers[f"{kind} / leads"] = np.array(leads)
     return numbers

@@ -243,15 +243,19 @@ def learned_at_once(generations, by, seed=0, episodes=20):
 def test_teams_that_learn_at_once_are_told_from_teams_that_learn_nothing(by):
     judgement = of_scores(learned_at_once(31, by))
     assert analysis.sentence(judgement).startswith("Both teams learned ")
-    for lead, reached in judgement.leads.values():
-        assert lead.low > 0.2
-        assert reached in (by, by + 1)
+    for lead in judgement.leads.values():
+        assert lead.size.low > 0.2
+        assert lead.reached in (by, by + 1)
     named = "in generation 1" if by == 1 else "by generation "
     assert named in analysis.sentence(judgement)
     nothing = of_scores(drawn(np.full((31, 31), 0.5)))
     assert "learned" not in analysis.sentence(nothing)
     together = of_scores(np.stack([learned_at_once(31, 2, seed) for seed in range(5)]))
     assert analysis.sentence(together).startswith("On average over 5 runs, both teams learned by ")
+
+
+def learned(lead):
+    return lead.reached is not None and lead.size.low > 0.05
 
 
 @pytest.mark.parametrize("episodes", [2, 5])
@@ -263,9 +267,34 @@ def test_races_in_which_nobody_learns_are_seldom_said_to_learn(episodes):
         strengths = draws.normal(0.0, 0.7, (2, 12))
         chance = expit(np.subtract.outer(*strengths) + draws.normal(0.0, 0.3, (12, 12)))
         payoffs = analysis.read_payoffs(drawn(chance, episodes, seed), per_episode=True)
-        leads = leads_of(payoffs).values()
-        wrong += any(lead.low > 0.05 for lead, _ in leads)
-    assert wrong <= 10  # 5 %
+        wrong += any(learned(lead) for lead in leads_of(payoffs).values())
+    assert wrong <= 6  # of 200
+
+
+@pytest.mark.parametrize("step", [0.1, 0.3])
+@pytest.mark.parametrize("generations", [12, 31])
+def test_a_walk_is_seldom_said_to_have_learned_early(step, generations):
+    draws, wrong = np.random.default_rng(7), 0
+    for seed in range(100):
+        walks = draws.normal(0.0, step, (2, generations)).cumsum(axis=1)
+        payoffs = analysis.read_payoffs(drawn(race(*walks), 10, seed), per_episode=True)
+        wrong += any(learned(lead) for lead in leads_of(payoffs).values())
+    assert wrong <= 15  # 3 to 9 of 100 are usual
+
+
+def test_of_few_runs_each_has_to_show_what_was_learned():
+    flat = drawn(np.full((31, 31), 0.5), 20, 1)
+    one, two = learned_at_once(31, 1), learned_at_once(31, 4, seed=2)
+    assert analysis.sentence(of_scores(np.stack([one, two]))).startswith(
+        "In each of 2 runs, both teams learned by generation "
+    )
+    assert "learned" not in analysis.sentence(of_scores(np.stack([one, flat])))
+
+
+def test_a_team_that_falls_after_it_has_learned_did_not_stand_still():
+    strengths = np.r_[0.0, np.full(15, 2.0), np.full(15, 1.4)]
+    said = analysis.sentence(of_scores(drawn(race(strengths, strengths), 40)))
+    assert "Until" not in said
 
 
 FIRST, LAST = "first half", "last half"

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 from matrixworld._util.checks import check_choice, check_instance
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld._util.teams import BOTH
 from matrixworld.analysis.intervals import RUNS_FOR_T, Estimate
-from matrixworld.analysis.measures import MEASURES
+from matrixworld.analysis.measures import MEASURES, Lead
 from matrixworld.analysis.reasons import Reason, Why
 from matrixworld.analysis.teams import keys_of, listed, names_of
 
@@ -42,8 +42,8 @@ class Judgement(Readable):
     cell, if known; they are equal in an `exact` game, without chance. Conditions that have no
     meaning in such a game are `refused`, each for a reason. `extras` are means of other numbers of
     a game, in the first and in the last third of the generations, among contemporaries. `leads` say
-    how much better late generations of a team are than its generation 0, and by which generation it
-    had nine tenths of that: `measures.leads_of`.
+    how much better late generations of a team are than its generation 0, and by which generation
+    that was learned: `measures.Lead`.
     """
 
     runs: int
@@ -55,7 +55,7 @@ class Judgement(Readable):
     exact: bool = False
     refused: Mapping[str, Reason] = field(default_factory=dict)
     extras: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    leads: Mapping[str, tuple[Estimate, int]] = field(default_factory=dict)
+    leads: Mapping[str, Lead] = field(default_factory=dict)
 
     def _parts(self) -> Parts:
         return [sentence(self), judgement_cells(self)]
@@ -150,13 +150,19 @@ def sentence(judgement: Judgement) -> str:
     if reason.why is Why.TOO_SHORT:
         return f"Too short to be judged: {reason}."
     events = _events(judgement)
-    clauses = [_beginning(judgement, window) + _clause(events[window]) for window in events]
     told = {name for names in events.values() for name in names} & _OF_STRENGTH
     early = "" if told - {"stagnation"} else _learned_early(judgement)
-    if told and early:
+    if early and "stagnation" in events.get(HALVES[0], {}):
+        del events[HALVES[0]]["stagnation"]  # it is the half in which they learned
+    clauses = [
+        _beginning(judgement, each) + _clause(events[each]) for each in events if events[each]
+    ]
+    if early and "stagnation" in events.get(WHOLE, {}):
+        clauses[0] = f"{early}; after that {clauses[0]}"
+    elif early and "stagnation" in events.get(HALVES[1], {}):
         clauses = [early, *clauses]
     elif early:
-        clauses = [f"{early}; after that {_no_progress(judgement, of_runs=False)}", *clauses]
+        clauses = [f"{early}; after that {_no_progress_of(judgement)}", *clauses]
     elif told:
         clauses[0] = _of_runs(judgement) + clauses[0]
     elif clauses:
@@ -295,13 +301,17 @@ def _clause(events: Mapping[str, Event]) -> str:
     return clause
 
 
+def _no_progress_of(judgement: Judgement) -> str:
+    """Return that no team is known to have improved, without the runs of which that is said."""
+    return _no_progress(replace(judgement, runs=1))
+
+
 def _learned_early(judgement: Judgement) -> str:
     """Return who was better than generation 0 after few generations, and by how much; or ""."""
-    half = max(judgement.shape) // 2
     learned = {
-        team: (lead.value, reached)
-        for team, (lead, reached) in judgement.leads.items()
-        if lead.low is not None and lead.low > LEAST_LEAD and reached < half
+        team: (lead.size.value, lead.reached)
+        for team, lead in judgement.leads.items()
+        if lead.reached is not None and (lead.size.low or 0.0) > LEAST_LEAD
     }
     if not learned:
         return ""
@@ -335,7 +345,7 @@ def _of_runs(judgement: Judgement) -> str:
     return f"on average over {judgement.runs} runs, "
 
 
-def _no_progress(judgement: Judgement, *, of_runs: bool = True) -> str:
+def _no_progress(judgement: Judgement) -> str:
     """Return that no team is known to have improved, and in which runs both did."""
     findings = judgement.findings
     runs = judgement.runs
@@ -344,7 +354,7 @@ def _no_progress(judgement: Judgement, *, of_runs: bool = True) -> str:
     if not judgement.one_population:
         nobody = "neither team improved"
     if all(findings[name].verdict == ABSENT for name in asked):
-        return f"{_of_runs(judgement)}{nobody}" if of_runs else nobody
+        return f"{_of_runs(judgement)}{nobody}"
     if runs == 1:
         return "no clear progress"
     arms_race = findings.get("arms race")
@@ -376,12 +386,13 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
 
 
 def _leads(judgement: Judgement) -> str:
-    """Return the leads of both teams, and by which generation they had nearly all of it."""
+    """Return the leads of both teams, and by which generation they were learned."""
     names, keys = names_of(judgement.teams), keys_of("lead")
-    return ", ".join(
-        f"{names[team]} {MEASURES[keys[team]].shown(lead)} by generation {reached}"
-        for team, (lead, reached) in judgement.leads.items()
-    )
+    said = []
+    for team, lead in judgement.leads.items():
+        by = "" if lead.reached is None else f" by generation {lead.reached}"
+        said.append(f"{names[team]} {MEASURES[keys[team]].shown(lead.size)}{by}")
+    return ", ".join(said)
 
 
 def _rows(judgement: Judgement) -> list[tuple[str, Finding, str]]:

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -240,37 +240,59 @@ def _last_score(matrix: Rates) -> float:
     return float(matrix.mean(axis=1)[-1])
 
 
-def _lead(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
-    """Return how much more a team's last half of generations wins than generation 0.
+class Lead(NamedTuple):
+    """How much better late generations of a team are than its generation 0.
 
-    The interval of a single run is that of a prediction: generation 0 as another one of the last
-    half, in which generations differ by noise and by what they do.
+    `size` is the mean payoff of the last half of its generations against all opponents, minus that
+    of generation 0. `reached` is the first generation that begins three whose mean has nine tenths
+    of it; None if that is in the last half, or if the mean of three moves by a quarter of it or
+    more afterwards: then it was not learned early.
     """
-    courses = payoffs.side(team).matrices.mean(axis=2)[:, _span(window, team)]
-    late = courses[:, courses.shape[1] // 2 :]
-    leads = late.mean(axis=1) - courses[:, 0]
-    if len(leads) > 1:
-        return _mean_of(leads, level, GAIN)
-    reach = intervals.prediction_reach(late[0], level)
-    value = float(leads[0])
-    return Estimate(value, value - reach, value + reach, "episodes", payoffs.episodes or 0)
+
+    size: Estimate
+    reached: int | None
 
 
-def leads_of(payoffs: Payoffs, level: float = LEVEL) -> dict[str, tuple[Estimate, int]]:
-    """Return how much better late generations of a team are than its generation 0, by team.
-
-    The mean payoff of the last half of its generations against all opponents, minus that of
-    generation 0; and the first generation from which the mean over three has nine tenths of it.
-    """
+def leads_of(payoffs: Payoffs, level: float = LEVEL) -> dict[str, Lead]:
+    """Return the leads of the teams; of two or three runs, what each of them shows."""
     teams = ["pursuers"] if payoffs.one_population else ["pursuers", "evaders"]
-    leads = {}
-    for team in teams:
-        lead = _lead(payoffs, payoffs.windows["whole"], level, team=team)
-        course = payoffs.side(team).matrices.mean(axis=(0, 2))
-        means = np.convolve(course[1:], np.full(3, 1 / 3), "valid")
-        reached = np.flatnonzero(means >= course[0] + 0.9 * lead.value)
-        leads[team] = lead, 1 + int(reached[0]) if len(reached) else len(course) - 1
-    return leads
+    return {team: _lead(payoffs, payoffs.windows["whole"], level, team) for team in teams}
+
+
+def _lead(payoffs: Payoffs, window: Window, level: float, team: str) -> Lead:
+    courses = payoffs.side(team).matrices.mean(axis=2)[:, _span(window, team)]
+    singles = [_lead_of_course(course, level) for course in courses]
+    if len(singles) == 1:
+        return singles[0]
+    if len(singles) < intervals.RUNS_FOR_T:
+        reached = [single.reached for single in singles]
+        latest = None if None in reached else max(filter(None, reached))
+        return Lead(over_runs([single.size for single in singles], level), latest)
+    sizes = [single.size.value for single in singles]
+    size = intervals.interval_over_runs(sizes, level=level, bounds=GAIN)
+    return Lead(size, _lead_of_course(courses.mean(axis=0), level).reached)
+
+
+def _lead_size(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
+    return _lead(payoffs, window, level, team).size
+
+
+def _lead_of_course(course: Rates, level: float) -> Lead:
+    """Return the lead in the mean payoffs (k,) of a team against all opponents.
+
+    Its interval is that of a prediction: generation 0 as another one of the last half.
+    """
+    half = len(course) // 2
+    late = course[half:]
+    lead = float(late.mean() - course[0])
+    reach = intervals.prediction_reach(late, level)
+    size = Estimate(lead, lead - reach, lead + reach, "generations", len(late))
+    means = np.convolve(course[1:], np.full(3, 1 / 3), "valid")
+    enough = np.flatnonzero(means >= course[0] + 0.9 * lead)
+    if lead <= 0.0 or not len(enough) or enough[0] + 1 >= half:
+        return Lead(size, None)
+    moves = float(np.ptp(means[enough[0] :]))
+    return Lead(size, 1 + int(enough[0]) if moves < lead / 4.0 else None)
 
 
 def _last_rating(matrix: Rates, team: str) -> float:
@@ -642,7 +664,7 @@ ROWS = (
         partial(_of_matrix, number=_last_score), general=True,
     ),
     *_of_teams(
-        "lead", "lead of the late {team} over generation 0", _lead, form="+.3f", general=True
+        "lead", "lead of the late {team} over generation 0", _lead_size, form="+.3f", general=True
     ),
     *_of_teams(
         "fading", "CIAO, fading of the {team}",
