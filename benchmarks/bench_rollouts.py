@@ -3,25 +3,30 @@
     python benchmarks/bench_rollouts.py [--seconds 1] [--repeats 5]
 
 A decision is the step of one living agent: its view, its network and its share of the world's step.
-Both teams are networks with genomes drawn from N(0, 0.1), in the last table policies of each kind.
+Both teams are networks with genomes drawn from N(0, 0.1), in the last tables policies of each kind.
 Each number is the median of some repeats. The process is bound to one core, and for two threads to
 two cores, if the system supports it. Before the measurement, a match is replayed in plain NumPy.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 import click
 import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld as mw
+from matrixworld.coevolution import RaceSettings, default_race
 from timing import CORES, Clock, Rate, bind, print_table
 
 HIDDEN: tuple[tuple[int, ...], ...] = ((32,), (64, 64), (400, 300))
 SHORT = 20  # rounds of a short episode
 EPISODES = 16  # of a match with long episodes
+NETWORK = "network [32]"
+TEAMWORK = ("escapes", "opposite", "parity")  # inputs that one asks for
 GENOMES = 64  # population in short episodes; the largest genomes fill 68 MB
 
 
@@ -174,6 +179,45 @@ def print_policies(clock: Clock) -> None:
     print_table(("policy", "matches a second", "a CPU second"), rows)
 
 
+def costs_of_ratings(config: mw.WorldConfig, clock: Clock) -> dict[str, list[float]]:
+    """Return CPU seconds a decision of the network [32] and of ratings, a number for each repeat.
+
+    They are measured in turn, so that what else the machine does slows all of them.
+    """
+    nine = mw.Rating.inputs
+    inputs = {"adversary": nine[:1], "nine": nine, "twelve": (*nine, *TEAMWORK)}
+    policies: dict[str, Any] = {NETWORK: mw.Network.for_config(config)}
+    policies |= {name: mw.Rating.for_config(config, inputs=some) for name, some in inputs.items()}
+    rng, each = np.random.default_rng(0), np.arange(32)
+    teams = {}
+    for name, policy in policies.items():
+        genomes = rng.standard_normal((len(each), policy.genome_size), dtype=np.float32)
+        teams[name] = mw.Population(np.float32(0.1 if name == NETWORK else 0.5) * genomes, policy)
+
+    def cost(team: mw.Population) -> float:
+        def play(number: int) -> int:
+            matches = mw.Matches.of(each, each[::-1], 1000 * number + each)
+            return decisions(config, team, matches, episodes=4, threads=1)
+
+        return replace(clock, repeats=1).measure(play).cpu
+
+    repeats = [{name: cost(team) for name, team in teams.items()} for _ in range(clock.repeats)]
+    return {name: [each[name] for each in repeats] for name in teams}
+
+
+def print_ratings(clock: Clock) -> None:
+    """Print decisions of ratings by the number of their inputs, beside those of a network."""
+    courtyard = RaceSettings.of(default_race("hall-of-fame")).game.world
+    worlds = {"courtyard": courtyard, "O": mw.WorldConfig("O"), "S": mw.WorldConfig("S")}
+    rows = []
+    for world, config in worlds.items():
+        costs = costs_of_ratings(config, clock)
+        for name, cost in costs.items():
+            share = np.median(np.divide(costs[NETWORK], cost))
+            rows.append((world, name, f"{1e9 * np.median(cost):.1f}", f"{share:.2f}"))
+    print_table(("world", "inputs", "CPU, ns a decision", "speed, times the network's"), rows)
+
+
 def millions(rate: float) -> str:
     return f"{rate / 1e6:.2f}"
 
@@ -190,6 +234,7 @@ def main(seconds: float, repeats: int, rounds: int) -> None:
     print_long(rounds, clock)
     print_short(clock)
     print_policies(clock)
+    print_ratings(clock)
 
 
 if __name__ == "__main__":

@@ -132,7 +132,8 @@ class ReservationTable {
 // The reservation table of a thread, with everything else that is kept by cell or position.
 class Occupancy {
   public:
-    // `for_networks`: keep the position table and the bitboards, which networks read; without it
+    // `for_networks`: keep the position table and the bitboards, which networks and inputs of moves
+    // read; without it
     // they stay empty. `keeps_lists`: keep the lists of agents by cell at all times; without it
     // `make_lists` must be called before they are read.
     Occupancy(const Grid& grid, int n_pursuers, int n_agents, int fov, bool for_networks,

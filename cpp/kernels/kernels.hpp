@@ -39,16 +39,14 @@ struct Kernels {
     void (*write_float_views)(const Positions& positions, const int* agents, int n_views,
                               const std::uint8_t* const* obstacles, int stride, float* views);
 
-    // Writes the inputs of an agent's moves that depend on other agents, and adds the moves that these
+    // Writes the wanted inputs of an agent's moves, and the moves that obstacles and other agents
     // forbid. Given cells count only without positions.
     void (*look_at_moves)(const MoveLook& look, SeenCells teammates, SeenCells adversaries);
 
-    // A layer of a network that rates moves: out[unit, move] = max(least, biases[unit] + the sum of
-    // weights[i, unit] * in[rows[i], move]), for i < n_in in this order, with rounded products; what
-    // is no number becomes `least`. Without biases (null) they are 0. Rows have kMoveLanes numbers.
-    void (*rate_moves)(int n_moves, const float* in, const int* rows, int n_in,
-                       const float* weights, int n_units, const float* biases, float least,
-                       float* out);
+    // A layer of a network that rates moves, of some agents: out[unit, move] = max(least,
+    // biases[unit] + the sum of weights[i, unit] * in[rows[i], move]), for i < n_in in this order,
+    // with rounded products; what is no number becomes `least`.
+    void (*rate_moves)(const MoveLayer& layer);
 
     // The first layer of a network, whose input (a view) is nearly all zeros:
     // out[i, 0..width) = activation(bases[i] + the sum of the rows of `weights` for the cells that

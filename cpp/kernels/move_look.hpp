@@ -43,12 +43,30 @@ struct alignas(64) MoveRows {
     std::uint32_t forbidden;
 };
 
+// A layer of a network that rates moves, and numbers of some agents. Rows have kMoveLanes numbers.
+struct MoveLayer {
+    int n_moves;
+    int n_in;
+    int n_units;
+    const int* rows;       // of `in`, by input of the layer
+    const float* weights;  // (n_in, n_units)
+    const float* biases;   // null: zeros
+    float least;           // of the results
+
+    int n_agents;
+    const float* in;  // of the first agent; those of the next one begin in_stride behind it
+    std::ptrdiff_t in_stride;
+    float* out;  // (n_units, kMoveLanes)
+    std::ptrdiff_t out_stride;
+};
+
 // A cell of the view.
 struct alignas(64) SeenCell {
     float moves[kMoveLanes];  // from the cell of each move
     float
         charge[kMoveLanes];  // 1 / (1 + moves)^2, rounded down so that sums are exact in any order
     int cell;                // in the grid, from the agent's
+    int index;               // in MoveLook::view
     int spot;                // in MoveLook::apart
     int near;                // place among the near cells; kNearCells if it is none
     std::uint32_t unseen;    // the cells of its moves that are out of view, as bits
@@ -86,6 +104,7 @@ struct MoveLook {
     const Step* steps;     // by move
     const Apart* apart;    // by difference of the spots of two cells
     const float* shares;   // n / n_moves, by n
+    const float* exits;    // by open moves, as bits
     // By cell of the view: the number of the look that found a teammate there.
     std::uint64_t* taken;
 
@@ -99,6 +118,9 @@ struct MoveLook {
     bool pursues;
     int place;                  // among the positions
     const std::uint16_t* open;  // from its cell: which moves lead to no obstacle, as bits
+    const std::uint8_t* room;   // from its cell, in cells
+    std::uint32_t ahead;        // the direction of its stride, as bits
+    std::uint32_t search;       // moves along its way of searching, as bits
     const std::uint16_t (*forbids)[kNearCells + 1];  // by team and near cell; behind them 0
     std::uint64_t number;                            // of this look
 

@@ -8,6 +8,13 @@ namespace matrixworld {
 
 namespace {
 
+constexpr int kCompass = 5, kDiagonal = 9;  // moves
+
+// Vectors that numbers of all moves take.
+constexpr int parts_of(int n_moves) {
+    return (n_moves <= kMoveLanes / 2 ? kMoveLanes / 2 : kMoveLanes) / kLanesOf<Half>;
+}
+
 // Numbers of all moves, in kParts vectors.
 template <int kParts>
 struct ByMove {
@@ -133,17 +140,50 @@ inline void look_at_pursuers(const MoveLook& look, SeenCells pursuers) {
     });
 }
 
+// ---- The ground ---------------------------------------------------------------------------------
+
+// Writes bits of moves as numbers.
+template <int kMoves>
+inline void spread(std::uint32_t bits, float* out) {
+    using Ints = Lanes<std::int32_t, kLanesOf<Half>>;
+    static constexpr std::int32_t kBits[kMoveLanes] = {
+        1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+        1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+    for (int i = 0; i < parts_of(kMoves) * kLanesOf<Half>; i += kLanesOf<Half>) {
+        Ints lanes;
+        std::memcpy(&lanes, kBits + i, sizeof(Ints));
+        const Mask<Half> set = as<Mask<Half>>(Ints{} < (lanes & static_cast<std::int32_t>(bits)));
+        store(out + i, where(set, splat<Half>(1.0f), Half{}));
+    }
+}
+
+// What is out of view is not known, and counts as free.
+template <int kMoves>
+inline void look_at_ground(const MoveLook& look, MoveRows& rows) {
+    constexpr std::uint32_t kAll = (1u << kMoves) - 2;
+    rows.blocked = ~(look.open[0] | look.steps[0].unseen) & kAll;
+    for (int move = 0; move < kMoves; ++move) {
+        const Step& step = look.steps[move];
+        rows.of[kExits][move] = look.exits[look.open[step.cell] | step.unseen];
+        rows.of[kRoom][move] = look.unit * static_cast<float>(look.room[step.cell]);
+    }
+    if (wants(look, kAhead)) spread<kMoves>(look.ahead, rows.of[kAhead]);
+    if (wants(look, kSearch)) spread<kMoves>(look.search, rows.of[kSearch]);
+}
+
 // ---- All inputs ---------------------------------------------------------------------------------
 
-template <int kParts>
+template <int kMoves>
 void look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells adversaries) {
+    constexpr int kParts = parts_of(kMoves);
     const auto nobody = all<kParts>(static_cast<float>(look.fov));
     auto teammate = nobody, adversary = nobody, unclaimed = nobody, open_side = nobody;
     auto pressure = all<kParts>(0);
-    std::uint32_t forbidden = 0;
+    look_at_ground<kMoves>(look, *look.rows);
+    std::uint32_t forbidden = look.rows->blocked;
     visit(teammates, [&](const SeenCell& seen) {
         keep_least(teammate, seen.moves);
-        look.taken[&seen - look.view] = look.number;
+        look.taken[seen.index] = look.number;
         forbidden |= look.forbids[0][seen.near];
     });
     const bool asks_claims = wants(look, kUnclaimed), asks_sides = wants(look, kOpenSide);
@@ -161,8 +201,8 @@ void look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells adversar
         if (!asks_sides) return;
         std::uint32_t sides = look.open[seen.cell] & ~seen.unseen & ~1u;
         for (; sides; sides &= sides - 1) {
-            const SeenCell* const side = &seen + look.steps[lowest_bit(sides)].index;
-            if (look.taken[side - look.view] != look.number) keep_least(open_side, side->moves);
+            const int side = seen.index + look.steps[lowest_bit(sides)].index;
+            if (look.taken[side] != look.number) keep_least(open_side, look.view[side].moves);
         }
     });
     auto& out = look.rows->of;
@@ -171,7 +211,8 @@ void look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells adversar
     store_moves(out[kPressure], pressure, 1);
     store_moves(out[kUnclaimed], any_unclaimed ? unclaimed : adversary, look.unit);
     store_moves(out[kOpenSide], open_side, look.unit);
-    look.rows->forbidden |= forbidden;
+    look.rows->forbidden = forbidden;
+    if (wants(look, kMustYield)) spread<kMoves>(forbidden, out[kMustYield]);
     if (wants(look, kParity)) {
         for (int move = 0; move < look.n_moves; ++move) {
             const int moves = least_moves(look, look.steps[move].spot, adversaries);
@@ -187,7 +228,7 @@ void look_at_moves(const MoveLook& look, SeenCells teammates, SeenCells adversar
 }
 
 // Pursuers are the first of the positions.
-template <int kParts, int kWords>
+template <int kMoves, int kWords>
 void look_from_positions(const MoveLook& at) {
     Seen<kWords> seen = look<kWords>(at.positions, at.place, at.fov);
     std::uint64_t shared = 0;
@@ -206,75 +247,86 @@ void look_from_positions(const MoveLook& at) {
     }
     const SeenCells pursuers{cells, n_pursuers}, evaders{cells + n_pursuers, n - n_pursuers};
     if (at.pursues) {
-        look_at_moves<kParts>(at, pursuers, evaders);
+        look_at_moves<kMoves>(at, pursuers, evaders);
     } else {
-        look_at_moves<kParts>(at, evaders, pursuers);
+        look_at_moves<kMoves>(at, evaders, pursuers);
     }
 }
 
-template <int kParts>
+template <int kMoves>
 void look_around(const MoveLook& at, SeenCells teammates, SeenCells adversaries) {
     constexpr int kMost = kMaxPositions / kPositionPad;
     const int n = at.positions.n_agents;
-    if (n == 0) return look_at_moves<kParts>(at, teammates, adversaries);
-    return n <= kPositionPad ? look_from_positions<kParts, 1>(at)
-                             : look_from_positions<kParts, kMost>(at);
+    if (n == 0) return look_at_moves<kMoves>(at, teammates, adversaries);
+    return n <= kPositionPad ? look_from_positions<kMoves, 1>(at)
+                             : look_from_positions<kMoves, kMost>(at);
 }
 
 void look_at_moves(const MoveLook& at, SeenCells teammates, SeenCells adversaries) {
-    constexpr int kFew = kMoveLanes / 2 / kLanesOf<Half>;
-    return at.n_moves <= kMoveLanes / 2 ? look_around<kFew>(at, teammates, adversaries)
-                                        : look_around<2 * kFew>(at, teammates, adversaries);
+    return at.n_moves == kCompass ? look_around<kCompass>(at, teammates, adversaries)
+                                  : look_around<kDiagonal>(at, teammates, adversaries);
 }
 
 // ---- A layer ------------------------------------------------------------------------------------
 
-// kUnits units at once: one after the other, their sums would wait for each other.
-template <int kParts, int kUnits>
-inline void add_products_of_moves(const float* in, const int* rows, int n_in, const float* weights,
-                                  int n_units, const float* biases, float least, float* out) {
-    Half sum[kUnits][kParts];
-    for (int unit = 0; unit < kUnits; ++unit) {
-        for (int k = 0; k < kParts; ++k) sum[unit][k] = splat<Half>(biases ? biases[unit] : 0.0f);
-    }
-    for (int i = 0; i < n_in; ++i, weights += n_units) {
-        const ByMove<kParts> x =
-            load_moves<kParts>(in + static_cast<std::ptrdiff_t>(rows[i]) * kMoveLanes);
-        for (int unit = 0; unit < kUnits; ++unit) {
-            const Half weight = splat<Half>(weights[unit]);
-            for (int k = 0; k < kParts; ++k) sum[unit][k] += x.parts[k] * weight;
+// Of kAgents agents, kUnits units at once: one after the other, their sums would wait for each other.
+template <int kParts, int kAgents, int kUnits>
+inline void add_products_of_moves(const MoveLayer& layer, const float* in, int unit, float* out) {
+    Half sum[kAgents][kUnits][kParts];
+    for (int agent = 0; agent < kAgents; ++agent) {
+        for (int u = 0; u < kUnits; ++u) {
+            const Half bias = splat<Half>(layer.biases ? layer.biases[unit + u] : 0.0f);
+            for (int k = 0; k < kParts; ++k) sum[agent][u][k] = bias;
         }
     }
-    const Half floor = splat<Half>(least);
-    for (int unit = 0; unit < kUnits; ++unit) {
-        for (int k = 0; k < kParts; ++k) {
-            store(out + unit * kMoveLanes + k * kLanesOf<Half>, larger(sum[unit][k], floor));
+    const float* weights = layer.weights + unit;
+    for (int i = 0; i < layer.n_in; ++i, weights += layer.n_units) {
+        const float* row = in + static_cast<std::ptrdiff_t>(layer.rows[i]) * kMoveLanes;
+        for (int agent = 0; agent < kAgents; ++agent, row += layer.in_stride) {
+            const ByMove<kParts> x = load_moves<kParts>(row);
+            for (int u = 0; u < kUnits; ++u) {
+                const Half weight = splat<Half>(weights[u]);
+                for (int k = 0; k < kParts; ++k) sum[agent][u][k] += x.parts[k] * weight;
+            }
+        }
+    }
+    const Half floor = splat<Half>(layer.least);
+    for (int agent = 0; agent < kAgents; ++agent, out += layer.out_stride) {
+        for (int u = 0; u < kUnits; ++u) {
+            for (int k = 0; k < kParts; ++k) {
+                store(out + (unit + u) * kMoveLanes + k * kLanesOf<Half>,
+                      larger(sum[agent][u][k], floor));
+            }
         }
     }
 }
 
-template <int kParts>
-void rate_all(const float* in, const int* rows, int n_in, const float* weights, int n_units,
-              const float* biases, float least, float* out) {
-    constexpr int kUnits = 4;
-    int unit = 0;
-    for (; unit + kUnits <= n_units; unit += kUnits) {
-        add_products_of_moves<kParts, kUnits>(in, rows, n_in, weights + unit, n_units,
-                                              biases ? biases + unit : nullptr, least,
-                                              out + unit * kMoveLanes);
-    }
-    for (; unit < n_units; ++unit) {
-        add_products_of_moves<kParts, 1>(in, rows, n_in, weights + unit, n_units,
-                                         biases ? biases + unit : nullptr, least,
-                                         out + unit * kMoveLanes);
+// All units of the agents from `agent` on, as many as fill groups of kAgents.
+template <int kParts, int kAgents, int kUnits>
+void rate_all(const MoveLayer& layer, int& agent) {
+    for (; agent + kAgents <= layer.n_agents; agent += kAgents) {
+        const float* const in = layer.in + agent * layer.in_stride;
+        float* const out = layer.out + agent * layer.out_stride;
+        int unit = 0;
+        for (; unit + kUnits <= layer.n_units; unit += kUnits) {
+            add_products_of_moves<kParts, kAgents, kUnits>(layer, in, unit, out);
+        }
+        for (; unit < layer.n_units; ++unit) {
+            add_products_of_moves<kParts, kAgents, 1>(layer, in, unit, out);
+        }
     }
 }
 
-void rate_moves(int n_moves, const float* in, const int* rows, int n_in, const float* weights,
-                int n_units, const float* biases, float least, float* out) {
-    constexpr int kFew = kMoveLanes / 2 / kLanesOf<Half>;
-    (n_moves <= kMoveLanes / 2 ? rate_all<kFew> : rate_all<2 * kFew>)(in, rows, n_in, weights,
-                                                                      n_units, biases, least, out);
+template <int kMoves>
+void rate_moves_of(const MoveLayer& layer) {
+    constexpr int kParts = parts_of(kMoves);
+    int agent = 0;
+    if (layer.n_units == 1) rate_all<kParts, 4, 1>(layer, agent);
+    rate_all<kParts, 1, 4>(layer, agent);
+}
+
+void rate_moves(const MoveLayer& layer) {
+    (layer.n_moves == kCompass ? rate_moves_of<kCompass> : rate_moves_of<kDiagonal>)(layer);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 
 #include "kernels/kernels.hpp"
 
@@ -57,17 +56,6 @@ int near_place(int row, int col) {
     return is_near ? (row + kNear) * kNearSide + col + kNear : kNearCells;
 }
 
-// Writes bits of moves as numbers, in vectors: they are read as vectors at once.
-void spread(std::uint32_t bits, float (&out)[kMoveLanes]) {
-    static constexpr float kNumbers[16][4] = {
-        {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 1, 0},
-        {0, 1, 1, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
-        {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
-    for (int i = 0; i < kMoveLanes; i += 4) {
-        std::memcpy(out + i, kNumbers[bits >> i & 15], sizeof(kNumbers[0]));
-    }
-}
-
 }  // namespace
 
 // ---- Before agents look -------------------------------------------------------------------------
@@ -78,9 +66,7 @@ MoveInputs::MoveInputs(const Config& config)
       half_(config.fov / 2),
       view_(static_cast<std::size_t>(config.fov) * config.fov),
       taken_(view_.size(), 0),
-      crowd_(config),
       sight_(config.fov),
-      places_(static_cast<std::size_t>(config.n_agents())),
       strides_(static_cast<std::size_t>(config.n_agents())) {
     constexpr int kCharge = 1 << 14;
     const int farthest = 2 * half_ + 1, side = 2 * farthest + 1;  // rows between two cells
@@ -101,6 +87,7 @@ MoveInputs::MoveInputs(const Config& config)
     };
     for (std::size_t i = 0; i < view_.size(); ++i) {
         SeenCell& seen = view_[i];
+        seen.index = static_cast<int>(i);
         const int row = static_cast<int>(i) / config.fov - half_;
         const int col = static_cast<int>(i) % config.fov - half_;
         seen.cell = cell(row, col);
@@ -153,11 +140,13 @@ MoveInputs::MoveInputs(const Config& config)
     }
     look_.fov = config.fov;
     look_.n_moves = n_moves_;
+    look_.n_pursuers = config.n_pursuers;
     look_.unit = 2.0f / static_cast<float>(config.fov);
     look_.view = view_.data();
     look_.steps = steps_;
     look_.apart = apart_.data() + spot(farthest, farthest);  // the middle
     look_.shares = shares_;
+    look_.exits = exits_;
     look_.taken = taken_.data();
     want((1u << kInputs) - 1);
 }
@@ -168,11 +157,7 @@ void MoveInputs::gather(const World& world, const Occupancy& occupancy) {
     world_ = &world;
     occupancy_ = &occupancy;
     if (config_.n_agents() <= kMaxPositions) {
-        crowd_.gather(world, occupancy);
-        look_.positions = crowd_.positions();
-        const std::vector<int>& living = world.living();
-        for (std::size_t i = 0; i < living.size(); ++i) places_[living[i]] = static_cast<int>(i);
-        look_.n_pursuers = world.n_living(Team::Pursuer);
+        look_.positions = occupancy.position_table().positions();
     }
     order_ = RightOfWay::order(world.steps());
     if (wants(kAhead)) draw_strides();
@@ -224,10 +209,11 @@ void MoveInputs::draw_strides() {
 void MoveInputs::look(int agent, MoveRows& rows) {
     const int cell = world_->cell(agent);
     const Team team = world_->team(agent);
-    look_at_ground(cell, rows);
     look_.pursues = team == Team::Pursuer;
-    look_.place = places_[agent];
+    look_.place = agent;
     look_.open = open_.data() + cell;
+    look_.room = room_.data() + cell;
+    look_.ahead = 1u << strides_[agent];
     look_.forbids = forbids_[static_cast<int>(team)][order_];
     look_.rows = &rows;
     ++look_.number;
@@ -235,24 +221,11 @@ void MoveInputs::look(int agent, MoveRows& rows) {
     const auto cells = [&](int t) {
         return SeenCells{seen_[t].data(), static_cast<int>(seen_[t].size())};
     };
-    kernels().look_at_moves(look_, cells(0), cells(1));
-    if (wants(kMustYield)) spread(rows.forbidden, rows.of[kMustYield]);
-    if (wants(kAhead)) spread(1u << strides_[agent], rows.of[kAhead]);
     if (wants(kSearch)) {
         sight_.look(*world_, *occupancy_, agent);
-        spread(search_moves(*world_, sight_, agent), rows.of[kSearch]);
+        look_.search = search_moves(*world_, sight_, agent);
     }
-}
-
-// What is out of view is not known, and counts as free.
-void MoveInputs::look_at_ground(int cell, MoveRows& rows) const {
-    const std::uint32_t moves = (1u << n_moves_) - 1;
-    rows.blocked = rows.forbidden = ~(open_[cell] | steps_[0].unseen) & moves & ~1u;
-    for (int move = 0; move < n_moves_; ++move) {
-        const int there = cell + steps_[move].cell;
-        rows.of[kExits][move] = exits_[open_[there] | steps_[move].unseen];
-        rows.of[kRoom][move] = look_.unit * static_cast<float>(room_[there]);
-    }
+    kernels().look_at_moves(look_, cells(0), cells(1));
 }
 
 // Among very many agents, the cells of the view are visited.

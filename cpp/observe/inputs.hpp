@@ -18,7 +18,6 @@
 #include "game/world.hpp"
 #include "grid/compiler.hpp"
 #include "kernels/move_look.hpp"
-#include "observe/crowd.hpp"
 #include "observe/right_of_way.hpp"
 #include "observe/search.hpp"
 #include "observe/sight.hpp"
@@ -58,7 +57,6 @@ class MoveInputs {
     bool wants(Input input) const { return look_.wanted >> input & 1; }
     void survey(const Terrain& terrain);
     void draw_strides();
-    void look_at_ground(int cell, MoveRows& rows) const;
     void list_reserved(int at, Team own);
 
     const Config& config_;
@@ -77,10 +75,8 @@ class MoveInputs {
 
     const World* world_ = nullptr;
     const Occupancy* occupancy_ = nullptr;
-    Crowd crowd_;
     Sight sight_;
     int order_ = 0;
-    std::vector<int> places_;            // by agent: its place among the living
     std::vector<std::uint8_t> strides_;  // by agent
     EpisodeKey stride_key_;
     int stride_ = -1;  // number of the stride

@@ -88,6 +88,7 @@ void Batch::reset(const std::uint64_t* seeds, std::uint64_t episode, const std::
     for_each_world([&](World& world, std::size_t w, Workspace& workspace) {
         if (mask && !mask[w]) return;
         const EpisodeKey key = seeds ? EpisodeKey{seeds[w], episode} : next_episode(world);
+        if (buffers.has_inputs()) workspace.serve_networks(*setup_);
         Scratch& scratch = *workspace.scratch;
         begin(world, w, key, scratch, placement(w));
         OutputSource& source = workspace.source;
@@ -149,6 +150,7 @@ void Batch::play(int turns, const Buffers& buffers) {
 
 void Batch::play(int turns, World& world, std::size_t w, Workspace& workspace,
                  const Buffers& buffers) {
+    if (buffers.has_inputs()) workspace.serve_networks(*setup_);
     Scratch& scratch = *workspace.scratch;
     OutputSource& source = workspace.source;
     source.look_at(world, scratch.occupancy);

@@ -15,6 +15,7 @@ class Buffers {
   public:
     // Writes this field to `data`, (W, ...), from now on; as float32 where `floats` says so.
     void add(const OutputField& field, const Config& config, void* data, bool floats = false) {
+        has_inputs_ |= !field.axes.empty() && field.axes.back() == Axis::Inputs;
         const DType dtype = floats ? DType::Float32 : field.dtype;
         columns_[index(field.written)].push_back({floats ? field.write_floats : field.write,
                                                   static_cast<std::uint8_t*>(data),
@@ -23,6 +24,9 @@ class Buffers {
 
     // Is any field written at this time?
     bool has(Written when) const { return !columns_[index(when)].empty(); }
+
+    // Are inputs of moves written? They need the positions that networks read.
+    bool has_inputs() const { return has_inputs_; }
 
     // Writes world w's part of all fields that are written at this time.
     void write(Written when, const OutputSource& source, std::size_t w) const {
@@ -41,6 +45,7 @@ class Buffers {
     static std::size_t index(Written when) { return static_cast<std::size_t>(when); }
 
     std::array<std::vector<Column>, kTimesWritten> columns_;
+    bool has_inputs_ = false;
 };
 
 }  // namespace matrixworld

@@ -58,11 +58,13 @@ void Program::load(const float* genome) {
     }
 }
 
-void Program::rate(const MoveRows& rows, float* ratings) {
-    if (shape_.n_actions == kCompassMoves) {
-        run<kMoveLanes / 2>(rows, ratings);
-    } else {
-        run<kMoveLanes>(rows, ratings);
+void Program::rate(const MoveRows* rows, int n, MoveRatings* ratings) {
+    for (int i = 0; i < n; ++i) {
+        if (shape_.n_actions == kCompassMoves) {
+            run<kMoveLanes / 2>(rows[i], ratings[i].of);
+        } else {
+            run<kMoveLanes>(rows[i], ratings[i].of);
+        }
     }
 }
 

@@ -41,7 +41,7 @@ class Program : public MoveRater {
     explicit Program(const RatingShape& shape) : shape_(shape) {}
 
     void load(const float* genome) override;
-    void rate(const MoveRows& rows, float* ratings) override;
+    void rate(const MoveRows* rows, int n, MoveRatings* ratings) override;
     std::uint32_t reads() const override { return reads_; }
 
   private:

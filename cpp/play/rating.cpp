@@ -81,7 +81,7 @@ class RatingNetwork : public MoveRater {
         for (const int size : shape.hidden) {
             widest = std::max(widest, static_cast<std::size_t>(size));
         }
-        for (auto& layer : units_) layer.resize(widest);
+        for (auto& layer : units_) layer.resize(widest * kRatedAtOnce);
         all_.resize(widest);
         std::iota(all_.begin(), all_.end(), 0);
     }
@@ -103,40 +103,45 @@ class RatingNetwork : public MoveRater {
         weights_.insert(weights_.end(), rest, genome + shape_.genome_size());
     }
 
-    void rate(const MoveRows& rows, float* ratings) override {
+    void rate(const MoveRows* rows, int n, MoveRatings* ratings) override {
         constexpr float kLowest = std::numeric_limits<float>::lowest();
-        const float* weights = weights_.data();
-        const float* in = rows.of[0];
-        const int* places = used_.data();
-        int n_in = static_cast<int>(used_.size());
-        for (std::size_t layer = 0; layer < shape_.hidden.size(); ++layer) {
-            const int n_out = shape_.hidden[layer];
-            const float* const biases = weights + static_cast<std::ptrdiff_t>(n_in) * n_out;
-            float* const out = units_[layer % 2].data()->of;
-            kernels().rate_moves(shape_.n_actions, in, places, n_in, weights, n_out, biases, 0,
-                                 out);
-            weights = biases + n_out;
-            in = out;
-            places = all_.data();
-            n_in = n_out;
+        MoveLayer layer{};
+        layer.n_moves = shape_.n_actions;
+        layer.n_agents = n;
+        layer.in = rows->of[0];
+        layer.in_stride = sizeof(MoveRows) / sizeof(float);
+        layer.rows = used_.data();
+        layer.n_in = static_cast<int>(used_.size());
+        layer.weights = weights_.data();
+        for (std::size_t i = 0; i < shape_.hidden.size(); ++i) {
+            layer.n_units = shape_.hidden[i];
+            layer.biases = layer.weights + static_cast<std::ptrdiff_t>(layer.n_in) * layer.n_units;
+            layer.out = units_[i % 2].data()->of;
+            layer.out_stride = static_cast<std::ptrdiff_t>(all_.size()) * kMoveLanes;
+            kernels().rate_moves(layer);
+            layer.in = layer.out;
+            layer.in_stride = layer.out_stride;
+            layer.rows = all_.data();
+            layer.n_in = layer.n_units;
+            layer.weights = layer.biases + layer.n_units;
         }
-        kernels().rate_moves(shape_.n_actions, in, places, n_in, weights, 1, nullptr, kLowest,
-                             ratings);
+        layer.n_units = 1;
+        layer.biases = nullptr;
+        layer.least = kLowest;
+        layer.out = ratings->of;
+        layer.out_stride = kMoveLanes;
+        kernels().rate_moves(layer);
     }
 
     std::uint32_t reads() const override { return reads_; }
 
   private:
-    struct Unit {
-        alignas(64) float of[kMoveLanes];
-    };
-
     RatingShape shape_;
     std::uint32_t reads_ = 0;
-    std::vector<int> used_;       // inputs with a weight that is not 0
-    std::vector<float> weights_;  // of these inputs, and all others
-    std::vector<int> all_;        // 0, 1, ...: the units of a hidden layer
-    std::vector<Unit> units_[2];  // of layers in turn
+    std::vector<int> used_;              // inputs with a weight that is not 0
+    std::vector<float> weights_;         // of these inputs, and all others
+    std::vector<int> all_;               // 0, 1, ...: the units of a hidden layer
+    std::vector<MoveRatings> units_[2];  // of layers in turn, by agent and unit
 };
 
 }  // namespace
@@ -157,15 +162,21 @@ void RatingPolicy::load(const float* genome) {
     inputs_.want(rater_->reads() | for_mask);
 }
 
-// All agents look before the first is rated: nothing of a step then waits for the step before.
 void RatingPolicy::rate(const World& world, const Occupancy& occupancy) {
     inputs_.gather(world, occupancy);
-    if (rows_.size() < agents_.size()) {
-        rows_.resize(agents_.size());
-        ratings_.resize(agents_.size());
+    const int n = static_cast<int>(agents_.size());
+    ratings_.resize(agents_.size());
+    refused_.resize(agents_.size());
+    for (int first = 0; first < n; first += kRatedAtOnce) {
+        const int n_rated = std::min(n - first, kRatedAtOnce);
+        for (int i = 0; i < n_rated; ++i) {
+            inputs_.look(agents_[first + i], rows_[i]);
+            refused_[first + i] = mask_ == MoveMask::None        ? 0
+                                  : mask_ == MoveMask::Obstacles ? rows_[i].blocked
+                                                                 : rows_[i].forbidden;
+        }
+        rater_->rate(rows_, n_rated, &ratings_[first]);
     }
-    for (std::size_t i = 0; i < agents_.size(); ++i) inputs_.look(agents_[i], rows_[i]);
-    for (std::size_t i = 0; i < agents_.size(); ++i) rater_->rate(rows_[i], ratings_[i].of);
 }
 
 // Lists the best of the allowed moves, and returns how many there are. Without branches: which move is
@@ -173,9 +184,7 @@ void RatingPolicy::rate(const World& world, const Occupancy& occupancy) {
 template <int n_moves>
 int RatingPolicy::list_best(std::size_t i, int* moves) const {
     const float (&ratings)[kMoveLanes] = ratings_[i].of;
-    const std::uint32_t refused = mask_ == MoveMask::None        ? 0
-                                  : mask_ == MoveMask::Obstacles ? rows_[i].blocked
-                                                                 : rows_[i].forbidden;
+    const std::uint32_t refused = refused_[i];
     float kept[n_moves];
     float most = ratings[0];  // nothing refuses to stay
     for (int move = 0; move < n_moves; ++move) {

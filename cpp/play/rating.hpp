@@ -21,6 +21,13 @@
 
 namespace matrixworld {
 
+// So many agents look before they are rated at once, and their inputs stay in a core's cache.
+constexpr int kRatedAtOnce = 8;
+
+struct alignas(64) MoveRatings {
+    float of[kMoveLanes];
+};
+
 // The function that a genome is. Genomes are loaded again and again, and used for many agents.
 class MoveRater {
   public:
@@ -28,8 +35,8 @@ class MoveRater {
 
     // Reads a genome, which must stay in memory. Throws std::invalid_argument if it is none.
     virtual void load(const float* genome) = 0;
-    // Rates all moves of an agent: writes kMoveLanes numbers.
-    virtual void rate(const MoveRows& rows, float* ratings) = 0;
+    // Rates all moves of n agents, at most kRatedAtOnce.
+    virtual void rate(const MoveRows* rows, int n, MoveRatings* ratings) = 0;
     // The inputs that the genome reads, as bits by Input.
     virtual std::uint32_t reads() const = 0;
 };
@@ -47,10 +54,6 @@ class RatingPolicy : public Policy {
   private:
     void choose(World& world, const Occupancy& occupancy) override;
     void weigh(const World& world, const Occupancy& occupancy, double* out) override;
-    struct alignas(64) Ratings {
-        float of[kMoveLanes];
-    };
-
     void rate(const World& world, const Occupancy& occupancy);
     template <int n_moves>
     int list_best(std::size_t i, int* moves) const;
@@ -60,8 +63,10 @@ class RatingPolicy : public Policy {
     MoveMask mask_;
     int n_moves_;
     std::unique_ptr<MoveRater> rater_;
-    std::vector<MoveRows> rows_;    // by agent that acts
-    std::vector<Ratings> ratings_;  // by agent that acts
+    MoveRows rows_[kRatedAtOnce] = {};
+    // By agent that acts: its ratings, and moves that the mask refuses, as bits.
+    std::vector<MoveRatings> ratings_;
+    std::vector<std::uint32_t> refused_;
 };
 
 }  // namespace matrixworld

@@ -331,7 +331,7 @@ void States::weigh(int turn, Team of, const Candidates& candidates, When when, d
 
 void States::look(int turn, int agent, When when, const std::int32_t* states, std::size_t n,
                   float* out) const {
-    Memory memory(*this);
+    Memory memory(*this, true);
     MoveInputs inputs(setup_->config);
     const std::size_t size = static_cast<std::size_t>(setup_->config.n_actions()) * kInputs;
     std::vector<float> all(setup_->config.n_agents() * size);

@@ -99,14 +99,14 @@ class PlayedWorld {
         inputs.look(agent, rows);
         const std::unique_ptr<MoveRater> rater = make_rater(*shape);
         rater->load(player.genome.data());
-        alignas(64) float ratings[kMoveLanes];
-        rater->rate(rows, ratings);
+        MoveRatings ratings;
+        rater->rate(&rows, 1, &ratings);
         const std::uint32_t refused = shape->mask == MoveMask::None        ? 0
                                       : shape->mask == MoveMask::Obstacles ? rows.blocked
                                                                            : rows.forbidden;
         RatedMoves rated;
         for (int move = 0; move < shape->n_actions; ++move) {
-            rated.ratings.push_back(ratings[move]);
+            rated.ratings.push_back(ratings.of[move]);
             rated.refused.push_back(refused >> move & 1);
         }
         return rated;
