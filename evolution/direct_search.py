@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.play.tables import Table, joint
-from matrixworld.solver import best_response
+from matrixworld.solver import States, best_response, solve
 from matrixworld.solver.suite import SuiteWorld
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.rating import INPUTS, Rating, allowed_moves
@@ -59,7 +59,9 @@ class Place:
 
     def __init__(self, world: SuiteWorld) -> None:
         self.world = world
-        self.states = world.perfect.states
+        # Threads would wait for each other longer than these small worlds take.
+        self.states = States(world.config, threads=1)
+        self.perfect = solve(self.states)
         config = self.states.config
         self.n_pursuers = config.n_pursuers
         _, self.places = self.states.views("pursuer")
@@ -139,8 +141,11 @@ def search(
     rng: np.random.Generator,
     start: Floats | None = None,
     sigma: float = 1.0,
+    most: float = 1.0,
 ) -> tuple[float, Floats]:
     """Return the best value that an evolution strategy with restarts finds, and its genes.
+
+    It ends before where it reaches `most`: no share is higher.
 
     Twelve candidates, the mean of the best four, and a step that grows while the mean moves farther
     than chance would (Ostermeier, Gawelczyk and Hansen 1994, "Step-size adaptation based on
@@ -149,10 +154,10 @@ def search(
     """
     best, found = -np.inf, np.zeros(genes)
     left = evaluations
-    while left > 0:
+    while left > 0 and best < most - TIE:
         mean = rng.standard_normal(genes) if start is None else start
         step, start, top, stalled = sigma, None, -np.inf, 0
-        while stalled < 15 and left > 0:
+        while stalled < 15 and left > 0 and best < most - TIE:
             noise = rng.standard_normal((min(12, left), genes))
             candidates = mean + step * noise
             values = np.array([value(each) for each in candidates])

@@ -240,7 +240,7 @@ def mistakes(place: Place, ratings: Floats) -> Floats:
 
     Each position weighs how often it comes about against the best response to the policy.
     """
-    states, perfect = place.states, place.world.perfect
+    states, perfect = place.states, place.perfect
     table = place.table(place.play(ratings))
     response = best_response(states, table, "pursuer")
     n, moves = place.after.shape

@@ -43,13 +43,13 @@ import numpy as np
 
 import matrixworld as mw
 from common import kept, markdown, mean, script_parser, write_json
-from direct_search import TODAY, Floats, Place, scaled, search
+from direct_search import TIE, TODAY, Floats, Place, scaled, search
 from look_for_inputs import Input, columns_of
 from matrixworld._util.files import read_json
 from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import RaceSettings, Training, train
 from matrixworld.plots import save_figure
-from matrixworld.solver import best_response
+from matrixworld.solver import States, best_response
 from matrixworld.solver.suite import SuiteWorld
 from policies import KINDS, RACE
 
@@ -136,11 +136,11 @@ def decision_list(place: Place, columns: list[Floats], lines: int, budget: int) 
 
     best, found = -1.0, []
     left = budget
-    while left > 0:
+    while left > 0 and best < 1 - TIE:
         rules = [line() for _ in range(lines)]
         share, stalled = value(rules), 0
         left -= 1
-        while stalled < 60 * lines and left > 0:
+        while stalled < 60 * lines and left > 0 and share < 1 - TIE:
             other = [[*each] for each in rules]
             at, part, new = int(rng.integers(lines)), int(rng.integers(5)), line()
             if part == 4:
@@ -182,14 +182,14 @@ def share_of_last(training: Training, world: SuiteWorld) -> dict[str, Any]:
     genome = training.archive["pursuer"][-1]
     policy = training.settings.evaluation_game.policies["pursuer"]
     pursuers = mw.Population(genome[None], policy)
-    share = best_response(world.perfect.states, pursuers, "pursuer").value / world.value
+    share = best_response(States(world.config, threads=1), pursuers, "pursuer").value / world.value
     words = policy.expression(genome) if policy.kind == "program" else ""
     return {"share": share, "words": words}
 
 
 def rows(place: Place, plays: Sequence[Floats], budget: int) -> dict[str, Any]:
     """Return the share of a table of moves for views, improved row by row, and its rows."""
-    perfect, states = place.world.perfect, place.states
+    perfect, states = place.perfect, place.states
     moves = place.after.shape[1]
     # What moves are worth to perfect play, with all rounds left and with fewer.
     worth = np.zeros(place.after.shape)
@@ -204,7 +204,7 @@ def rows(place: Place, plays: Sequence[Floats], budget: int) -> dict[str, Any]:
     shares = [table_share(place, play) for play in plays]
     play, share = plays[int(np.argmax(shares))].copy(), max(shares)
     left, rng = budget, np.random.default_rng(0)
-    while left > 0:
+    while left > 0 and share < 1 - TIE:
         risen = False
         for view in rng.permutation(len(play)):
             for move in np.flatnonzero(place.allowed[view]):
@@ -227,7 +227,7 @@ def table_share(place: Place, play: Floats) -> float:
 
 def told_first(world: SuiteWorld) -> float:
     """Return the share of pursuers who tell their joint action before the evaders choose theirs."""
-    states = world.perfect.states
+    states = States(world.config, threads=1)
     values = states.captured().mean(axis=1)
     for _ in range(world.config.max_steps):
         for turn in reversed(range(states.n_turns)):

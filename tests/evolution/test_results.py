@@ -18,6 +18,7 @@ import judgement_tables
 import league
 import learned_exploitability as learned
 import liveness
+import look_for_inputs
 import map_races
 import mask_price
 import matrixworld as mw
@@ -28,6 +29,7 @@ import perfect_learners
 import policies
 import race_budgets
 import rating_inputs
+import readable_price
 import safe_learning
 import scripted_pursuit
 import yoked_races
@@ -57,6 +59,12 @@ TABLES = {
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
     "judgement/errors.md": judgement_tables.report_of,
     "liveness/table.md": lambda at: liveness.table(json.loads(read(at / "numbers.json"))),
+    **{
+        f"{script.__name__}/table.md": lambda at, script=script: script.table(
+            json.loads(read(at / "numbers.json"))
+        )
+        for script in (look_for_inputs, readable_price)
+    },
     "mask_price/table.md": lambda at: mask_price.table(json.loads(read(at / "numbers.json"))),
     "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(
         scripted_pursuit.read_rows(read(at / "numbers.json"))

@@ -24,12 +24,14 @@ from matrixworld.coevolution.games.pursuit import (
 from matrixworld.coevolution.types import TEAMS, FloatArray, Matches, Team, other
 from matrixworld.episodes.episode import Episode
 from matrixworld.solver import Solution, States, best_response
-from matrixworld.world.states import why_not_solved
+from matrixworld.world.states import states_size, why_not_solved
 
 DRAWN = ("ahead", "search")
 """Inputs that each episode draws: what reads them has no table."""
 KEPT = 2
 """Worlds whose states are kept in memory."""
+FEW = 20_000
+"""With fewer states threads would wait for each other longer than one takes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +107,8 @@ class Guaranteed(Pursuit):
 @lru_cache(maxsize=KEPT)
 def _states(world: WorldConfig, threads: int | None) -> States:
     """Return the states of a world, which all matches in it share."""
-    return States(world, threads=threads)
+    count, _ = states_size(world)
+    return States(world, threads=1 if count < FEW else threads)
 
 
 def check_guarantee(game: PursuitSettings) -> None:
