@@ -65,7 +65,7 @@ def found_in(payoffs: FloatArray) -> dict[str, Any]:
     """Return what is found in races (seeds, G, H, episodes): in all together, in how many."""
     together = analysis.judge(payoffs, per_episode=True)
     single = [*map(partial(analysis.judge, per_episode=True), payoffs)]
-    found: dict[str, Any] = {"sentence": np.array(analysis.sentence(together))}
+    found: dict[str, Any] = {}
     for window in WINDOWS:
         present = [each.present(window) for each in single]
         found[f"found, {window}"] = np.array(together.present(window), str)
