@@ -169,7 +169,7 @@ def test_it_learns_by_inputs_that_do_not_count_steps():
             "got more than 2.31 joint places for 4 against 1",
         ),
         ({"rows": 12, "cols": 12, "n_pursuers": 3, "n_evaders": 2}, "agents on 12 x 12 cells"),
-        ({"obstacles": 0.2}, "that each episode draws anew, for 1 against 1 agents on 3 x 3 cells"),
+        ({"obstacles": 0.2}, "world.obstacles: expected 0 or a map with the measure guarantee"),
         ({"schedule": "hall-of-fame"}, "schedule: expected against with learner.measure guarantee"),
         ({"opponent": "chaser"}, "schedule.opponent: expected best-response with learner.measure"),
         ({"learner.measure": "capture-rate", "opponent": "best-response"}, "without the measure"),

@@ -130,7 +130,7 @@ def _shows(function: Any) -> Any:
     "--learner",
     metavar="NAME",
     help=f"{', '.join(names_in(Learner))}, or one of your own, as module:object  [default: cma "
-    "where policies rate moves, otherwise es]",
+    "for ratings, es for other policies and with --paper]",
 )
 @click.option(
     "--generations",

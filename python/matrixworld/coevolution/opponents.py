@@ -107,8 +107,9 @@ class Uniform(Opponents):
 class RoundRobin(Opponents):
     """All opponents in turn: ``epoch mod available``, as the paper's generalists.
 
-    A generation that has fewer epochs than opponents goes on where the one before it ended, so that
-    all are met. Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
+    A generation that has fewer epochs than opponents goes on where the one before it ended, until
+    all but the newest opponent have been met; the next one begins with opponent 0 again. Sun et al.
+    2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
     """
 
     def start(self) -> State:
@@ -126,7 +127,7 @@ class RoundRobin(Opponents):
         return {"met": np.array(_met(state) + len(opponents))}
 
     def update(self, state: State, own: int, available: int, payoff: PayoffFunction) -> State:
-        """Begin anew with opponent 0 if all but the newest opponent have been met."""
+        """Begin with opponent 0 again if all that were there before the newest have been met."""
         return state if _met(state) < available - 1 else self.start()
 
 

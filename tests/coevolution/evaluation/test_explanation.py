@@ -269,14 +269,14 @@ PROGRAMS = [
         "pursuer",
         "room if 0.6 < adversary else -open_side - 1",
         f"A pursuer {FIRST} (1) if no evader in view is within 2 moves, it keeps off walls; (2) "
-        "otherwise, it goes for the free sides of evaders. With moves of several cases to choose "
-        "from, it takes (1) in 100 % and (2) in 0 % of states.",
+        "otherwise, it goes for the free sides of evaders. Where it can choose "
+        "between cases, it takes (1) in 100 % and (2) in 0 % of states.",
     ),
     (
         "evader",
         "-1 if adversary < 0.3 else 0",
         f"An evader {FIRST} (1) if the nearest pursuer in view is within 1 move, it rates all "
-        "alike; (2) otherwise, it rates all alike. With moves of several cases to choose from, it "
+        "alike; (2) otherwise, it rates all alike. Where it can choose between cases, it "
         "takes (1) in 0 % and (2) in 100 % of states.",
     ),
     (
@@ -284,6 +284,13 @@ PROGRAMS = [
         "-4 + less(0, must_yield) * (teammate - 9) + (room if 0.9 < exits else pressure < 0.2)",
         f"An evader {FIRST} (1) if more than 3 cells around it are free and right of way "
         "forbids the move, it",
+    ),
+    # A case that has one move of a state compares states.
+    (
+        "pursuer",
+        "-adversary if ahead > 0 else -pressure",
+        f"A pursuer {FIRST} (1) if the move keeps its direction, it rates by -adversary; (2) "
+        "otherwise, it keeps away from all evaders in view.",
     ),
     # What never decides is not told.
     ("pursuer", "min(5 + teammate, 0 - adversary)", "A pursuer goes for the nearest evader."),

@@ -34,7 +34,11 @@ TESTS: dict[str, Test] = {
     "adversary": Test(
         "the nearest {foe} in view is within {n}", "no {foe} in view is within {n}", "move"
     ),
-    "unclaimed": Test("unclaimed is at most {n}", "unclaimed is more than {n}", "move"),
+    "unclaimed": Test(
+        "a {foe} that no teammate is nearer to is within {n}",
+        "no {foe} that no teammate is nearer to is within {n}",
+        "move",
+    ),
     "open_side": Test(
         "a free side of {foe}s in view is within {n}",
         "no free side of {foe}s in view is within {n}",
@@ -79,9 +83,10 @@ def sentence_of_program(team: Team, policy: RatingPolicy, seen: NDArray[np.float
     if len(found) == 1:
         return in_words(team, f"{{A}} {team} {deeds[0] or ANY_MOVE}.")
     told = []
-    for number, ((case, _), does) in enumerate(zip(found, deeds, strict=True), start=1):
+    for number, ((case, moves), does) in enumerate(zip(found, deeds, strict=True), start=1):
         tests = " and ".join(_test_in_words(team, program, test) for test in case.tests)
-        told.append(f"({number}) {f'if {tests}' if tests else 'otherwise'}, it {does or ALIKE}")
+        does = does or _rated_by(program, case.tree, seen, moves)
+        told.append(f"({number}) {f'if {tests}' if tests else 'otherwise'}, it {does}")
     text = in_words(
         team,
         f"{{A}} {team} goes by the first case that holds for the cell of a move: "
@@ -92,7 +97,7 @@ def sentence_of_program(team: Team, policy: RatingPolicy, seen: NDArray[np.float
     shares = _shares_taken(best, [moves for _, moves in found])
     if shares is not None:
         taken = listed([f"({number}) in {_percent(each)}" for number, each in enumerate(shares, 1)])
-        text += f" With moves of several cases to choose from, it takes {taken} of states."
+        text += f" Where it can choose between cases, it takes {taken} of states."
     return text
 
 
@@ -102,6 +107,14 @@ def _deed_of(
     """Return what an agent does that rates these moves by a tree."""
     rate = partial(program.values, tree)
     return deed({name: effect_of(rate, seen, moves, name) for name in program.inputs})
+
+
+def _rated_by(
+    program: Program, tree: Node, seen: NDArray[np.float32], moves: NDArray[np.bool_]
+) -> str:
+    """Return what a case rates by whose moves of one state are alike, or of which it has one."""
+    rated = program.values(tree, seen)[moves]
+    return ALIKE if (rated == rated[0]).all() else f"rates by {expression_of(tree)}"
 
 
 def _shares_taken(
@@ -137,8 +150,12 @@ def _test_in_words(team: Team, program: Program, test: Node) -> str:
             text = _limit_in_words(team, program, name, 0.0, below=False)
         case _:
             text = ""
-    is_comparison = isinstance(test, Call) and test.operation == "less"
-    return text or expression_of(test) + ("" if is_comparison else " > 0")
+    if text:
+        return text
+    if isinstance(test, Call) and test.operation == "less":
+        return expression_of(test)
+    told = expression_of(test)
+    return f"({told}) > 0" if isinstance(test, Call) else f"{told} > 0"
 
 
 def _limit_in_words(team: Team, program: Program, name: str, limit: float, *, below: bool) -> str:

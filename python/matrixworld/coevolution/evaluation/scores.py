@@ -31,9 +31,11 @@ SEED = 0  # seed of the episodes, if nothing else is asked for
 BESIDE_EPISODES = 20
 """Episodes of each pair of what stands beside scores: untrained teams."""
 CHOICE = ((8, 1.0), (16, 0.4), (100, 0.15))
+LEAST_LEFT = 4
 """How the best generation is chosen: in each round so many more episodes against each opponent, and
-the share of the generations that plays them, the best ones so far (sequential halving: Karnin,
-Koren and Somekh 2013, "Almost optimal exploration in multi-armed bandits", ICML)."""
+the share of the generations that plays them, the best ones so far, at least `LEAST_LEFT`
+(sequential halving: Karnin, Koren and Somekh 2013, "Almost optimal exploration in multi-armed
+bandits", ICML)."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -190,6 +192,9 @@ def score(
     checks.check_instance("run", run, StoredRun)
     episodes = checks.check_integer("episodes", episodes, 2)
     checks.check_threads(threads)
+    if isinstance(generation, Mapping) and {*generation} != {*run.settings.learning_teams}:
+        expected = f"a number of each of {', '.join(run.settings.learning_teams)}"
+        raise ValueError(f"generation: expected {expected}, got {dict(generation)}")
     run.check_pursuit(
         "it has no held-out opponents, and `judge` says how its generations do against each other"
     )
@@ -204,7 +209,7 @@ def score(
         if generation is None:
             chosen = [*range(len(archive.genomes))]
         else:
-            asked = generation if isinstance(generation, int) else generation[team]
+            asked = generation[team] if isinstance(generation, Mapping) else generation
             chosen = [run.generation(team, asked, "generation")]
         genomes = Population(archive.genomes[chosen], archive.policy)
         opponents, left_out = opponents_in(run, team, world)
@@ -247,7 +252,7 @@ def best_generations(run: StoredRun, *, threads: int | None = None) -> dict[Team
         left = np.arange(len(archive.genomes))
         sums = np.zeros(len(left))
         for number, (episodes, share) in enumerate(CHOICE):
-            count = max(1, round(share * len(sums)))
+            count = min(len(sums), max(LEAST_LEFT, round(share * len(sums))))
             left = np.sort(left[np.argsort(sums[left], kind="stable")[-count:]])
             genomes = Population(archive.genomes[left], archive.policy)
             # Other episodes than those of any score that is asked for.

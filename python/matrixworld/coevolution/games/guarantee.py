@@ -115,6 +115,8 @@ def check_guarantee(game: PursuitSettings) -> None:
     """Raise SettingError unless best responses to what learns in a game can be computed."""
     policy = game.policy
     why = f"with the measure {GUARANTEE}"
+    if isinstance(game.world.obstacles, float) and game.world.obstacles:
+        raise SettingError("world.obstacles", f"0 or a map {why}", f"{game.world.obstacles:g}")
     if got := why_not_solved(game.world):
         raise SettingError("world", f"one that can be solved {why}", got)
     if game.training_worlds:

@@ -34,9 +34,8 @@ SCHEDULE = "generalist-generalist"
 HALL = AtOnce.kind  # of games of one population
 POLICY = {PAPER: "cells", COURTYARD: "rating"}
 LEARNER = "es"
-OF_RATINGS = "cma"  # in the courtyard: it takes few genes
+OF_RATINGS = "cma"  # of ratings in the courtyard
 BREEDING = "breeding"  # of games whose genomes are objects
-"""The names of sections for which no other one is chosen."""
 EPOCHS: dict[Team, int] = {"pursuer": 6000, "evader": 4000}
 """Epochs of a team that learns alone."""
 GUARANTEED: dict[str, Any] = {
