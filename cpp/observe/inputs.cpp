@@ -174,13 +174,14 @@ void MoveInputs::survey(const Terrain& terrain) {
     open_.assign(n_cells, 0);
     room_.assign(n_cells, 0);
     closed_.assign(n_cells, 0);  // 0 if no obstacle is at most k cells away
+    std::uint16_t* const open = open_.data();
     std::uint8_t *const room = room_.data(), *const closed = closed_.data();
     const std::uint8_t* const kind = terrain.kind.data();
     const int first = grid.cell(0, 0), last = grid.cell(grid.rows() - 1, grid.cols() - 1);
     for (int move = 0; move < n_moves_; ++move) {
-        std::uint16_t* const from = open_.data() - grid.delta(move);
+        const int step = grid.delta(move);
         for (int i = first; i <= last; ++i) {
-            from[i] |= static_cast<std::uint16_t>((kind[i] == kFree) << move);
+            open[i - step] |= static_cast<std::uint16_t>((kind[i] == kFree) << move);
         }
     }
     for (int k = 0; k < half_ && 2 * k < grid.rows(); ++k) {
