@@ -1,6 +1,6 @@
 """Should policies read more inputs by default? Escapes, opposite and parity, in twelve places.
 
-    python evolution/added_inputs.py --threads 1   an hour of one core
+    python evolution/added_inputs.py --threads 1   half an hour of one core
     python evolution/added_inputs.py --quick       two seeds of short races, some seconds
 
 Races as `matrixworld evolve` plays them, of generalists by CMA-ES: in the three worlds with names,
@@ -10,9 +10,9 @@ pursuers read `escapes` and `opposite` in addition, evaders `parity`. The trials
 split follows were of the evolution strategy, with other seeds.
 
 The number of a race is the held-out score of the best generation of each team, on other episodes
-than those by which it was chosen (`SavedRun.best`). Differences from the nine inputs are means over
-the seeds in a place. Intervals are over ten places (Student's t): SD and SDB are left out, since
-with one evader they are S and SB with other draws.
+than those by which it was chosen (`SavedRun.best`). Each place has one race of a set, of the same
+seed. Intervals are over ten places (Student's t): SD and SDB are left out, since with one evader
+they are S and SB with other draws.
 
 Stated before the races: a set becomes the default if the interval of the mean difference of both
 teams lies above 0, and neither team loses more than .02 in the mean over the three worlds with
@@ -125,9 +125,10 @@ def table(numbers: Numbers) -> str:
     heads = ["place", *(f"{team}s, nine" for team in TEAMS)]
     heads += [f"{team}s, {name}" for name in (TWELVE, SPLIT) for team in TEAMS]
     seeds = len(numbers[f"{places[0]}: {NINE} / pursuer"])
-    first = f"Held-out scores of best generations, and differences from nine inputs: {seeds} seeds."
+    of_seeds = "one seed" if seeds == 1 else f"{seeds} seeds"
+    first = f"Held-out scores of best generations, and differences from nine inputs: {of_seeds}."
     return "\n\n".join([first, markdown(heads, rows), *told])
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=4, play=play)
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=1, play=play)

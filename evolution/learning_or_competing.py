@@ -289,7 +289,10 @@ def controls(runs: Runs, quick: bool) -> dict[str, list[Control]]:
 
 
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return the numbers of each kind by seed, and the judgement of all its seeds together."""
+    """Return the numbers of each kind by seed, and the judgement of all its seeds together.
+
+    Whole curves stay in the files beside the runs.
+    """
     numbers: dict[str, Any] = {}
     for kind, each in runs.items():
         place, _, _ = kind.split(", ")
@@ -305,7 +308,7 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
             ]
             scores = np.stack([run.payoff().scores for run in each])
             numbers[f"judgement of {kind}"] = present(scores)
-        for name in found[0]:
+        for name in (each for each in found[0] if not each.endswith("curve")):
             numbers[f"{kind} / {name}"] = np.array([of_run[name] for of_run in found])
     return numbers
 

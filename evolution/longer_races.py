@@ -8,8 +8,8 @@ best that nine weights can do in the courtyard. Here generalists race by the sam
 there is more to learn: with hidden layers, a larger view, more agents on a larger grid, all
 thirteen inputs, and in worlds that change from epoch to epoch. Each by itself and three together.
 
-Measured are the judgement of the whole race, and by which generation late generations were nearly
-reached (`Judgement.leads`). Expected before the races were played: in none of the kinds do both
+Measured are the judgement of the whole race, and whether a team learned early and stood still
+afterwards (`Judgement.leads`). Expected before the races were played: in none of the kinds do both
 teams improve in more than one race of four.
 """
 
@@ -52,15 +52,15 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
 
 
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return what is found in the races of each kind, and when late generations were reached."""
+    """Return what is found in the races of each kind, and who learned early."""
     numbers: dict[str, Any] = {}
     for kind, each in runs.items():
         judged = [analysis.judge(run.payoff().scores, per_episode=True) for run in each]
         found = [one.present("whole") for one in judged]
         numbers[f"{kind} / found"] = np.array([[name in one for name in SHOWN] for one in found])
-        reached = [[lead.reached or np.nan for lead in one.leads.values()] for one in judged]
+        early = [[lead.reached is not None for lead in one.leads.values()] for one in judged]
         leads = [[lead.size.value for lead in one.leads.values()] for one in judged]
-        numbers[f"{kind} / reached"] = np.array(reached)
+        numbers[f"{kind} / early"] = np.array(early)
         numbers[f"{kind} / leads"] = np.array(leads)
     return numbers
 
@@ -69,12 +69,12 @@ def table(numbers: Numbers) -> str:
     """Return what is found in the races of each kind, in Markdown."""
     rows = []
     for kind in kinds_in(numbers):
-        found, reached = numbers[f"{kind} / found"], numbers[f"{kind} / reached"]
+        found = numbers[f"{kind} / found"]
         cells = [str(len(found)), *map(str, found.sum(axis=0))]
-        cells += [f"{np.median(by):.0f} ({by.min()} to {by.max()})" for by in reached.T]
+        cells += [str(early.sum()) for early in numbers[f"{kind} / early"].T]
         cells += [f"{lead.mean():.2f}" for lead in numbers[f"{kind} / leads"].T]
         rows.append([kind, *cells])
-    heads = ["", "seeds", *SHOWN, *(f"generation reached by {team}s" for team in TEAMS)]
+    heads = ["", "seeds", *SHOWN, *(f"{team}s learned early" for team in TEAMS)]
     return markdown([*heads, *(f"lead of {team}s" for team in TEAMS)], rows).replace("|  |", "| |")
 
 

@@ -1,6 +1,7 @@
 """The judgement of races: verdicts on races whose truth is known, windows, runs and bad input."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,9 +13,10 @@ from scipy.special import expit
 from matrices import circular, logistic
 from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS, Judgement, judge
+from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.judge import RULES
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Finding
-from matrixworld.analysis.measures import leads_of
+from matrixworld.analysis.measures import Lead, leads_of
 from matrixworld.analysis.reasons import Reason
 
 
@@ -280,6 +282,24 @@ def test_a_walk_is_seldom_said_to_have_learned_early(step, generations):
         payoffs = analysis.read_payoffs(drawn(race(*walks), 10, seed), per_episode=True)
         wrong += any(learned(lead) for lead in leads_of(payoffs).values())
     assert wrong <= 15  # 3 to 9 of 100 are usual
+
+
+def test_leads_in_words():
+    def said(reached, low=0.4, **found):
+        lead = Lead(Estimate(0.5, low, 0.6), reached)
+        leads = {"pursuers": lead, "evaders": lead}
+        return analysis.sentence(replace(when(**found), leads=leads))
+
+    ended = "No clear progress, but both teams ended better than in generation 0 (0.50 and 0.50)."
+    learned = "Both teams learned by generation 3 (0.50 and 0.50 better than generation 0)"
+    assert said(None, arms="?") == ended
+    assert said(None, 0.04, arms="?") == "No clear progress."
+    assert said(3, arms="?") == f"{learned}; after that no clear progress."
+    still = "neither team became stronger or weaker."
+    assert said(3, stagnation="w") == f"{learned}; after that {still}"
+    assert said(3, stagnation="l", arms="?") == f"{learned}. From generation 15 on, {still}"
+    assert said(3, stagnation="f", arms="?") == f"{learned}; after that no clear progress."
+    assert said(3, arms="wfl", rise="w") == "Both teams improved."
 
 
 def test_of_few_runs_each_has_to_show_what_was_learned():

@@ -8,6 +8,7 @@ import pytest
 
 import actor_critic_baselines as baselines
 import actor_critic_claims
+import added_inputs
 import balance
 import balanced_races
 import convergence
@@ -17,7 +18,9 @@ import interval_coverage as coverage
 import judgement_tables
 import league
 import learned_exploitability as learned
+import learning_or_competing
 import liveness
+import longer_races
 import look_for_inputs
 import map_races
 import mask_price
@@ -47,8 +50,8 @@ def of(table):
 
 
 OF_A_TABLE = (
-    baselines, balanced_races, convergence, ground_truth, hall_of_fame, league, learned, page_races,
-    perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
+    added_inputs, baselines, balanced_races, convergence, ground_truth, hall_of_fame, league, learned,
+    learning_or_competing, longer_races, page_races, perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
     yoked_variants, yoked_worlds,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding

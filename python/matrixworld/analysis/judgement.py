@@ -162,13 +162,13 @@ def sentence(judgement: Judgement) -> str:
     elif early and "stagnation" in events.get(HALVES[1], {}):
         clauses = [early, *clauses]
     elif early:
-        clauses = [f"{early}; after that {_no_progress_of(judgement)}", *clauses]
+        clauses = [f"{early}; after that {_no_progress(replace(judgement, runs=1))}", *clauses]
     elif told:
         clauses[0] = _of_runs(judgement) + clauses[0]
     elif clauses:
         clauses[0] = f"{_no_progress(judgement)}: {clauses[0]}"
     else:
-        clauses = [_no_progress(judgement)]
+        clauses = [_no_progress(judgement) + _ended_better(judgement)]
     return " ".join(f"{clause[0].upper()}{clause[1:]}." for clause in clauses)
 
 
@@ -301,26 +301,37 @@ def _clause(events: Mapping[str, Event]) -> str:
     return clause
 
 
-def _no_progress_of(judgement: Judgement) -> str:
-    """Return that no team is known to have improved, without the runs of which that is said."""
-    return _no_progress(replace(judgement, runs=1))
-
-
 def _learned_early(judgement: Judgement) -> str:
-    """Return who was better than generation 0 after few generations, and by how much; or ""."""
-    learned = {
-        team: (lead.size.value, lead.reached)
-        for team, lead in judgement.leads.items()
-        if lead.reached is not None and (lead.size.low or 0.0) > LEAST_LEAD
-    }
+    """Return who had learned after few generations, and how much; or ""."""
+    learned = {t: lead for t, lead in _leading(judgement).items() if lead.reached is not None}
     if not learned:
         return ""
-    who = judgement.teams[0] if judgement.one_population else None
-    who = f"the {who}" if who else _named(tuple(learned), judgement.teams)
-    sizes = " and ".join(f"{value:.2f}" for value, _ in learned.values())
-    last = max(reached for _, reached in learned.values())
+    last = max(lead.reached or 0 for lead in learned.values())
     when = "in generation 1" if last == 1 else f"by generation {last}"
+    who, sizes = _who_leads(judgement, learned)
     return f"{_of_runs(judgement)}{who} learned {when} ({sizes} better than generation 0)"
+
+
+def _ended_better(judgement: Judgement) -> str:
+    """Return who ended better than in generation 0, as the end of a clause; or ""."""
+    leading = _leading(judgement)
+    if not leading:
+        return ""
+    who, sizes = _who_leads(judgement, leading)
+    return f", but {who} ended better than in generation 0 ({sizes})"
+
+
+def _leading(judgement: Judgement) -> dict[str, Lead]:
+    """Return the leads of teams whose late generations surely are better than generation 0."""
+    leads = judgement.leads.items()
+    return {team: lead for team, lead in leads if (lead.size.low or 0.0) > LEAST_LEAD}
+
+
+def _who_leads(judgement: Judgement, leads: Mapping[str, Lead]) -> tuple[str, str]:
+    """Return in words whose leads these are, and how large."""
+    one = f"the {judgement.teams[0]}" if judgement.one_population else ""
+    sizes = " and ".join(f"{lead.size.value:.2f}" for lead in leads.values())
+    return one or _named(tuple(leads), judgement.teams), sizes
 
 
 def _beginning(judgement: Judgement, window: str) -> str:
