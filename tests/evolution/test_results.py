@@ -50,9 +50,10 @@ def of(table):
 
 
 OF_A_TABLE = (
-    added_inputs, baselines, balanced_races, convergence, ground_truth, hall_of_fame, league, learned,
-    learning_or_competing, longer_races, page_races, perfect_learners, policies, map_races, race_budgets, rating_inputs, safe_learning, yoked_races,
-    yoked_variants, yoked_worlds,
+    added_inputs, baselines, balanced_races, convergence, ground_truth, hall_of_fame, league,
+    learned, learning_or_competing, longer_races, page_races, perfect_learners, policies,
+    map_races, race_budgets, rating_inputs, safe_learning, yoked_races, yoked_variants,
+    yoked_worlds,
 )  # fmt: skip
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES = {
