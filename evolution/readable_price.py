@@ -321,6 +321,38 @@ def halves(found: Sequence[Mapping[str, Any]]) -> dict[str, list[Mapping[str, An
     return {name: worlds for name, worlds in split.items() if worlds}
 
 
+def shares_of(world: Mapping[str, Any]) -> dict[str, float]:
+    """Return the shares of a world that are compared, by name."""
+    of = world["direct"]
+    today, with_found = of["today"], of["with found"]
+    return {
+        "3 weights": today["3"]["share"],
+        "7 weights": today[str(len(TODAY))]["share"],
+        "3 weights with found inputs": with_found["3"]["share"],
+        "all weights with found inputs": with_found[str(len(with_found))]["share"],
+        "8 hidden": of["8 hidden"],
+        "a list of 4 lines": of["lists"]["4"]["share"],
+        "a program of 10 symbols": of["programs"]["10"]["share"],
+        "a table": of["table"]["share"],
+        "the bound": of["told first"],
+        "perfect play": 1.0,
+    }
+
+
+COMPARED = (
+    ("all weights with found inputs", "7 weights"),
+    ("3 weights with found inputs", "7 weights"),
+    ("8 hidden", "7 weights"),
+    ("a list of 4 lines", "3 weights with found inputs"),
+    ("a program of 10 symbols", "7 weights"),
+    ("a table", "all weights with found inputs"),
+    ("the bound", "a table"),
+    ("the bound", "7 weights"),
+    ("perfect play", "the bound"),
+)
+"""Pairs whose difference is told."""
+
+
 def table(found: Sequence[Mapping[str, Any]]) -> str:
     """Return shares by representation, and what representation and learning cost, in Markdown."""
     apart = halves(found)
@@ -339,6 +371,14 @@ def table(found: Sequence[Mapping[str, Any]]) -> str:
         rows.append(["bound without draws", "", *blank, mean(bound, bounds=(0, 1))])
     lines = ["Mean share of perfect play, by direct search [95 % over worlds].", ""]
     lines += [markdown(heads, rows), ""]
+    rows = []
+    for one, other in COMPARED:
+        gains = [
+            [shares_of(world)[one] - shares_of(world)[other] for world in worlds]
+            for worlds in apart.values()
+        ]
+        rows.append([f"{one} minus {other}", *(mean(each, sign="+") for each in gains)])
+    lines += [markdown(["differences, paired by world", *apart], rows), ""]
     rows = []
     for kind, words in RACED.items():
         for name, worlds in apart.items():
