@@ -214,7 +214,9 @@ def test_the_judgement_and_the_tables_have_the_same_numbers():
 
 def test_a_single_run_has_no_intervals_and_says_so():
     found = analysis.measure_all(circular(13))
-    scatter = {"pursuer_gain", "evader_gain", "pursuer_change", "evader_change"}
+    scatter = {
+        f"{team}_{name}" for team in ("pursuer", "evader") for name in ("gain", "change", "lead")
+    }
     assert all(one.low is None and one.note for name, one in found.items() if name not in scatter)
     assert analysis.measure_table(circular(13)).startswith("A single run (95% interval over its")
 

@@ -274,6 +274,8 @@ def _lead(payoffs: Payoffs, window: Window, level: float, team: str) -> Lead:
 
 
 def _lead_size(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
+    if window.generations < GENERATIONS_TO_JUDGE:
+        return Estimate(math.nan, note=Reason(Why.TOO_SHORT))
     return _lead(payoffs, window, level, team).size
 
 
