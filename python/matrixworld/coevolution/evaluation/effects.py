@@ -215,7 +215,7 @@ def effect_of(
     # What a rating changes when the input goes from the mean to its value. It may be infinite.
     greatest = np.finfo(np.float32).max
     own, at_mean = (
-        np.clip(rate(x), -greatest, greatest).astype(np.float64) for x in (seen, changed)
+        np.clip(rate(inputs), -greatest, greatest).astype(np.float64) for inputs in (seen, changed)
     )
     change = own - at_mean
     change *= np.sign(seen[..., column] - changed[..., column])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from matrixworld._util import files
@@ -12,15 +12,12 @@ from matrixworld.coevolution.evaluation.scores import (
     BESIDE_EPISODES,
     EPISODES,
     SEED,
-    HeldOutScores,
     best_generations,
     best_scripts,
     score,
-    score_runs,
 )
-from matrixworld.coevolution.progress import Report, silent
+from matrixworld.coevolution.progress import Report, part_of, silent
 from matrixworld.coevolution.runs.stored import StoredRun
-from matrixworld.coevolution.types import Team
 from matrixworld.version import __version__
 
 SCORES = "scores.json"  # the file in the directory of a run
@@ -44,9 +41,12 @@ def kept_scores(
     for runs of another game than pursuit and evasion.
     """
     missing = [run for run in runs if not _is_kept(run)]
-    played = score_runs(missing, report=report, threads=threads)
-    for run, scores in zip(missing, played, strict=True):
-        files.save_json(run.path / SCORES, {**PLAYED_BY, **_with_others(run, scores, threads)})
+    for number, run in enumerate(missing):
+        place = f"[{number + 1}/{len(missing)}] " if len(missing) > 1 else ""
+        of_run = part_of(report, number, len(missing), place)
+        # A reader of its own: the archives of all runs together may be large.
+        found = _with_others(StoredRun(run.path), threads, of_run)
+        files.save_json(run.path / SCORES, {**PLAYED_BY, **found})
     return [files.read_json(run.path / SCORES) for run in runs]
 
 
@@ -67,14 +67,13 @@ def _is_kept(run: StoredRun) -> bool:
     return True
 
 
-def _with_others(
-    run: StoredRun, scores: Mapping[Team, HeldOutScores], threads: int | None
-) -> dict[str, Any]:
+def _with_others(run: StoredRun, threads: int | None, report: Report) -> dict[str, Any]:
     """Return the scores of a run's teams as values of JSON, and those that they stand beside."""
-    scripts = best_scripts(run.pursuit.world, episodes=EPISODES)
+    generations = best_generations(run, threads=threads, report=part_of(report, 0, 3))
+    best = score(run, generation=generations, threads=threads, report=part_of(report, 1, 3))
+    scores = score(run, threads=threads, report=part_of(report, 2, 3))
     first = score(run, generation=0, episodes=BESIDE_EPISODES, threads=threads)
-    generations = best_generations(run, threads=threads)
-    best = score(run, generation=generations, threads=threads)
+    scripts = best_scripts(run.pursuit.world, episodes=EPISODES)
     plain = {}
     for team, of_team in scores.items():
         plain[PLURALS[team]] = {

@@ -241,14 +241,18 @@ def opponents_in(
     return opponents, left_out
 
 
-def best_generations(run: StoredRun, *, threads: int | None = None) -> dict[Team, int]:
+def best_generations(
+    run: StoredRun, *, threads: int | None = None, report: Report = silent
+) -> dict[Team, int]:
     """Return the generation of each team with the highest mean score, the latest of equal ones."""
     run.check_pursuit("it has no held-out opponents by which the best generation is chosen")
     world = run.pursuit.world
     best: dict[Team, int] = {}
-    for team in run.settings.learning_teams:
+    teams = run.settings.learning_teams
+    for place, team in enumerate(teams):
         archive = cast(Population, run.teams[team])
         opponents, _ = opponents_in(run, team, world)
+        of_team = part_of(report, place, len(teams))
         left = np.arange(len(archive.genomes))
         sums = np.zeros(len(left))
         for number, (episodes, share) in enumerate(CHOICE):
@@ -258,7 +262,14 @@ def best_generations(run: StoredRun, *, threads: int | None = None) -> dict[Team
             # Other episodes than those of any score that is asked for.
             seed = checks.SEED_MAX - number
             rates = play_held_out(
-                world, team, genomes, opponents, episodes=episodes, seed=seed, threads=threads
+                world,
+                team,
+                genomes,
+                opponents,
+                episodes=episodes,
+                seed=seed,
+                threads=threads,
+                report=part_of(of_team, number, len(CHOICE)),
             )
             sums[left] += rates.mean(axis=1).sum(axis=1)
         best[team] = int(left[np.flatnonzero(sums[left] == sums[left].max())[-1]])
