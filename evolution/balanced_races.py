@@ -94,7 +94,8 @@ def champions(run: SavedRun, episodes: int) -> dict[str, float]:
 
     ``above`` is the least lower end of the intervals of the differences from all scripts.
     """
-    world, found = run.settings.game.world, {}
+    world = run.settings.game.world
+    found: dict[str, Any] = {}
     for team in TEAMS:
         own = against_all(world, team, run.best(team).population(), episodes)
         found[team] = float(own.mean())

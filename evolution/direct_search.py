@@ -15,17 +15,18 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.coevolution.settings.usual import STEPLESS
 from matrixworld.play.tables import Table, joint
 from matrixworld.solver import States, best_response, solve
 from matrixworld.solver.suite import SuiteWorld
 from matrixworld.world.arrays import MOVES
-from matrixworld.world.rating import INPUTS, Rating, allowed_moves
+from matrixworld.world.rating import INPUTS, allowed_moves
 
 Floats: TypeAlias = NDArray[np.float64]
 Bools: TypeAlias = NDArray[np.bool_]
 Ints: TypeAlias = NDArray[np.intp]
 
-TODAY = tuple(name for name in Rating.inputs if name not in ("must_yield", "ahead"))
+TODAY = STEPLESS
 """Seven of the nine inputs that are the default: ``must_yield`` has another table in each step, and
 ``ahead`` is drawn in each episode."""
 FAR = 99

@@ -333,7 +333,8 @@ def of_curve(name: str, curve: NDArray[np.float64], n_last: int) -> dict[str, An
 
 def against_held_out(run: SavedRun) -> dict[str, Any]:
     """Return the scores of both teams against held-out opponents."""
-    world, found = run.settings.game.world, {}
+    world = run.settings.game.world
+    found: dict[str, Any] = {}
     for team in TEAMS:
         chosen, n_last = measured_generations(run, team)
         own = run.teams[team]
@@ -357,7 +358,8 @@ def against_champions(run: SavedRun, seed: int, races: Sequence[SavedRun]) -> di
     Without the race of the next seed, whose generations a control meets.
     """
     strange = [race for number, race in enumerate(races) if (number - seed) % len(races) > 1]
-    world, found = run.settings.game.world, {}
+    world = run.settings.game.world
+    found: dict[str, Any] = {}
     for team in TEAMS:
         chosen, n_last = measured_generations(run, team)
         own = run.teams[team]
@@ -373,7 +375,8 @@ def against_champions(run: SavedRun, seed: int, races: Sequence[SavedRun]) -> di
 
 def guarantees(run: SavedRun, place: str) -> dict[str, Any]:
     """Return what share of perfect play both teams guarantee, exactly."""
-    world, found = SUITE[place], {}
+    world = SUITE[place]
+    found: dict[str, Any] = {}
     for team in TEAMS:
         chosen, n_last = measured_generations(run, team)
         own = run.teams[team]

@@ -43,10 +43,9 @@ from numpy.typing import ArrayLike
 import matrixworld as mw
 from common import SMALL_RACE, Numbers, Runs, by_seed, experiment, kept, markdown, mean, solved
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, create, finish
-from matrixworld.coevolution.evaluation.held_out import held_out_scripts
+from matrixworld.coevolution.evaluation import held_out
 from matrixworld.coevolution.games.pursuit import Pursuit
 from matrixworld.solver import best_response
-from matrixworld.world.policy import CAREFUL, SCRIPTS
 
 RACE: dict[str, Any] = {
     "schedule": "hall-of-fame", "schedule.generations": 8, "evaluation_episodes": 2,
@@ -224,9 +223,7 @@ def scripts_for(team: Team, world: mw.WorldConfig) -> tuple[str, ...]:
     """Return the scripts of a team that make sense in a world."""
     if world.rows <= SOLVED_SIDE:
         return SOLVED_SCRIPTS[team]
-    # Those are the held-out ones; the careful one among them is not careful twice.
-    usual = [name.removeprefix(CAREFUL) for name in held_out_scripts(team, world.rules)]
-    return tuple(name for name in SCRIPTS if name.removeprefix(CAREFUL) in usual)
+    return held_out.scripts_for(team, world)
 
 
 def script_results(world: mw.WorldConfig, episodes: int) -> dict[str, Any]:

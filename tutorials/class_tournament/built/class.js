@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 3b56cb88f1bf1f723d17d833b7c1764917688f145758648dde1297fe53ca2613 */
+/* built from web/ by "npm run build"; sources 2691c4b684fc8255f7fa8be374df2d730627c6ae3197b6ed4b18c130dca317ed */
 (()=>{var oe=[.5,1,2,4,8,16,32,64],we=0,xe=12,kn=2,be=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),this.#e=e,this.#r=r,this.#n=n}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){return this.#s}get length(){
 return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i("state")}get ticks(){return this.#h}set ticks(e){

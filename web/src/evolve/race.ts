@@ -105,6 +105,8 @@ export class Race {
   readonly #source: Source;
   readonly #learners = {} as Record<Team, Learner>;
   readonly #scored = new Set<number>();
+  /** How many opponents a team has met since opponent 0 had its turn. */
+  readonly #met: Record<Team, number> = { pursuer: 0, evader: 0 };
   #matches = 0;
   #steps = 0;
   #agentSteps = 0;
@@ -220,7 +222,8 @@ export class Race {
 
   /** One team learns for the epochs of a generation. */
   *#learn(team: Team, generation: number): Generator<RaceEvent, void> {
-    const turn = firstTurn(team, generation, this.#epochs(team));
+    // In turns of all opponents; once all but the newest have been met, opponent 0 comes again.
+    if (this.#met[team] >= this.archive[otherOf(team)].length - 1) this.#met[team] = 0;
     for (let epoch = 0; epoch < this.#epochs(team); epoch++) {
       while (this.epochs >= this.until) yield { type: "rest" };
       const available = this.archive[otherOf(team)].length;
@@ -229,8 +232,9 @@ export class Race {
         rule === "latest"
           ? available - 1
           : rule === "round-robin"
-            ? (turn + epoch) % available
+            ? this.#met[team] % available
             : this.#source("opponents", TEAMS.indexOf(team), generation, epoch).choice(available, 1)[0]!;
+      this.#met[team]++;
       const pair = team === "pursuer" ? [generation, opponent] : [opponent, generation];
       const learner = this.#learners[team];
       const { groups } = learner;
@@ -473,20 +477,6 @@ export class Race {
       }),
     );
   }
-}
-
-/**
- * Return whom the epochs of a generation begin with, in turns of all opponents. A generation that has
- * fewer epochs than opponents goes on where the one before it ended.
- */
-function firstTurn(team: Team, generation: number, epochs: number): number {
-  let met = 0; // since opponent 0 had its turn
-  for (let k = 1; k <= generation; k++) {
-    const available = team === "pursuer" ? k : k + 1;
-    if (met >= available - 1) met = 0;
-    if (k < generation) met += epochs;
-  }
-  return met;
 }
 
 /** Return genomes one after the other. */

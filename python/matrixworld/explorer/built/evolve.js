@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 3b56cb88f1bf1f723d17d833b7c1764917688f145758648dde1297fe53ca2613 */
+/* built from web/ by "npm run build"; sources 2691c4b684fc8255f7fa8be374df2d730627c6ae3197b6ed4b18c130dca317ed */
 "use strict";(()=>{var Ss={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},mt={DISAPPEAR:0,REACH:1,BOUNCE:2},As={OCCUPATION:0,SURROUND:1},Ms={FAULT:0,INVOLVED:1};var ar=["obstacle","teammate","adversary"],ir=["vertex","edge","chain"],Ts=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],lr=["p\
 ursuer_{number}","evader_{number}"],Es={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},pt={"both held":"both bounce","both doomed":"\
@@ -34,7 +34,7 @@ push(t),this.engine.HEAPU8.set(e,t),t}text(e){return this.copy(rl(e))}arrays(e){
 a;return[this.text(o),i?_s:nl(l),l.length,this.copy(ur(l))]}),s=this.copy(ur(Int32Array.from(r)));return this.copy(ur(Int32Array.of(t.length,s)))}free(){for(let e of this.
 addresses)this.engine._free(e)}};function Ps(n,e){let t=n.HEAPU8;return tl.decode(t.subarray(e,t.indexOf(0,e)))}function Je(n){let e=new Int32Array(n.HEAPU8.buffer),
 t=n._last_outputs()/ks,r=e[t+1]/ks,s={};for(let o=r;o<r+e[t]*Rs;o+=Rs){let a=hr[e[o+1]],i=e[o+2]*a.BYTES_PER_ELEMENT,l=e[o+3];s[Ps(n,e[o])]=new a(n.HEAPU8.slice(
-l,l+i).buffer)}return s}function Oe(n,e){let t=new dr(n);try{let r=e(t);if(r===0)throw new Ce(Ps(n,n._last_error()));return r}finally{t.free()}}var sl=2**31-1,$s=["none","gru"],ol=2n**64n-1n,al=34028234663852886e22;function he(n,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>sl)throw G(n,"a\
+l,l+i).buffer)}return s}function Oe(n,e){let t=new dr(n);try{let r=e(t);if(r===0)throw new Ce(Ps(n,n._last_error()));return r}finally{t.free()}}var sl=2**31-1,$s=["none","gru"],ol=2n**64n-1n,al=34028234663852886e22;function de(n,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>sl)throw G(n,"a\
 n integer",e);return Int32Array.of(e)}function Vt(n,e){if(typeof e!="boolean")throw G(n,"true or false",e);return new qe(Uint8Array.of(Number(e)))}function Fe(n,e,t){
 let r=typeof e=="string"&&Object.hasOwn(t,e)?t[e]:void 0;if(r===void 0)throw G(n,`one of ${Object.keys(t).join(", ")}`,e);return Int32Array.of(r)}function mr(n,e){
 if(typeof e!="number"||!(Math.abs(e)<=al))throw G(n,"a finite number",e);return e}function yt(n,e){let r=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
@@ -49,15 +49,15 @@ p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":Is("pursuer_collide
 cells as in row 0`,s.length);let o=[...s].find(a=>!e.includes(a)&&!t.includes(a));if(o)throw G(`map, row ${r}`,`'${e}' (free) or '${t}' (obstacle)`,o)}return Uint8Array.
 from([...n.join("")],r=>Number(t.includes(r)))}function Ds(n,e){if(!Array.isArray(n))return;let t=[n.length,n[0]?.length??0];if(!(t[0]===e.rows&&t[1]===e.cols))
 throw G("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,t)}function Ze(n){Ds(n.obstacles,n);let e=typeof n.obstacles=="number"?n.obstacles:0;return{
-...il(n.rules),...ll(n.rewards),rows:he("rows",n.rows),cols:he("cols",n.cols),n_pursuers:he("n_pursuers",n.n_pursuers),n_evaders:he("n_evaders",n.n_evaders),fov:he(
-"fov",n.fov),diagonal:Vt("diagonal",n.diagonal),max_steps:he("max_steps",n.max_steps),density:Float64Array.of(e),map:Fs(n.obstacles)}}function Ns(n,e){return Int32Array.
-from((e??[]).flat(),t=>he(n,t)[0])}function Us(n,e){return Ds(n.obstacles,e),{seed:yt("seed",n.seed??0n),episode:yt("episode",n.episode??0),pursuers:Ns("pursuer\
-s",n.pursuers),evaders:Ns("evaders",n.evaders),map:Fs(n.obstacles)}}function Yt(n){return{actions:Int32Array.from(n,e=>he("actions",e)[0])}}var Ls=Object.keys(Le);
+...il(n.rules),...ll(n.rewards),rows:de("rows",n.rows),cols:de("cols",n.cols),n_pursuers:de("n_pursuers",n.n_pursuers),n_evaders:de("n_evaders",n.n_evaders),fov:de(
+"fov",n.fov),diagonal:Vt("diagonal",n.diagonal),max_steps:de("max_steps",n.max_steps),density:Float64Array.of(e),map:Fs(n.obstacles)}}function Ns(n,e){return Int32Array.
+from((e??[]).flat(),t=>de(n,t)[0])}function Us(n,e){return Ds(n.obstacles,e),{seed:yt("seed",n.seed??0n),episode:yt("episode",n.episode??0),pursuers:Ns("pursuer\
+s",n.pursuers),evaders:Ns("evaders",n.evaders),map:Fs(n.obstacles)}}function Yt(n){return{actions:Int32Array.from(n,e=>de("actions",e)[0])}}var Ls=Object.keys(Le);
 function pr(n){let e=Ls.indexOf(n);if(e<0)throw G("inputs",`names of ${Ls.join(", ")}`,n);return e}function De(n){if(typeof n=="string"){if(!Object.hasOwn(cr,n))
 throw G("policy",`one of ${Object.keys(cr).join(", ")}`,n);return{script:new TextEncoder().encode(n)}}if(n.kind!=="cells")return{inputs:Int32Array.from(n.inputs,
-e=>pr(e)),hidden:Int32Array.from(n.kind==="rating"?n.hidden:[],e=>he("hidden",e)[0]),length:he("length",n.kind==="program"?n.length:0),mask:new TextEncoder().encode(
+e=>pr(e)),hidden:Int32Array.from(n.kind==="rating"?n.hidden:[],e=>de("hidden",e)[0]),length:de("length",n.kind==="program"?n.length:0),mask:new TextEncoder().encode(
 n.mask),genome:n.genome};if(n.activation!=="relu"&&n.activation!=="tanh")throw G("activation","'relu' or 'tanh'",n.activation);if(!$s.includes(n.memory))throw G(
-"memory",`one of ${$s.join(", ")}`,n.memory);return{hidden:Int32Array.from(n.hidden,e=>he("hidden",e)[0]),activation:new TextEncoder().encode(n.activation),sampled:Vt(
+"memory",`one of ${$s.join(", ")}`,n.memory);return{hidden:Int32Array.from(n.hidden,e=>de("hidden",e)[0]),activation:new TextEncoder().encode(n.activation),sampled:Vt(
 "sampled",n.sampled),memory:new TextEncoder().encode(n.memory),genome:n.genome}}var cl=["first_turn","terminated","truncated"];function Ws(n){let e={...n};for(let t of cl)
 e[t]=new qe(n[t]);return e}var Bs="statistics.",Kt=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,t,r,s){this.config=e,this.seed=t,this.episode=r,this.n_agents=
 e.n_pursuers+e.n_evaders,this.statistics=hl(js(s)),Object.assign(this,s),this.first_conflict=ul(this.conflict_table,this.length)}get length(){return this.actions.
@@ -125,7 +125,7 @@ illed-capture"})],["captured evader",M("circle",{cx:12,cy:12,r:7.5,class:"ring-e
 t"})]];return d("ul",{class:"shapes small","aria-label":"Shapes on the board"},...n.map(([e,t])=>d("li",{},M("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},t),
 e)))}var se=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Qs="champion",eo=0,br=64,wr=100;var bl=(n,e)=>Object.keys(n).every(t=>n[t]===e[t]);function to(n,e){return Object.keys(e).find(t=>bl(e[t],n))??null}function no(n,e,t){let r=new Set(n);return Array.
 from({length:e},(s,o)=>Array.from({length:t},(a,i)=>r.has(o*t+i)?"#":".").join(""))}function en(n,e,t){let r=n.filter(s=>s!==e);return t?[...r,e].sort((s,o)=>s-
-o):r}var T=["pursuer","evader"],de=n=>n==="pursuer"?"evader":"pursuer";function xr(n,e,t){let{rows:r,cols:s,n_pursuers:o,fov:a,rules:{interaction:i}}=n;return{rows:r,cols:s,nPursuers:o,fov:a,interaction:i,obstacles:e,moments:t}}function Sr(n,e){
+o):r}var T=["pursuer","evader"],le=n=>n==="pursuer"?"evader":"pursuer";function xr(n,e,t){let{rows:r,cols:s,n_pursuers:o,fov:a,rules:{interaction:i}}=n;return{rows:r,cols:s,nPursuers:o,fov:a,interaction:i,obstacles:e,moments:t}}function Sr(n,e){
 return{positions:n.read("last_positions"),alive:n.read("alive"),captured:n.read("captured"),everCaptured:n.read("ever_captured"),actions:e,involved:n.read("invo\
 lved"),fault:n.read("fault"),contested:n.conflicts().map(t=>t.cell)}}function tn(n){let e=Array.from({length:n.length+1},(t,r)=>wl(n,r));return xr(n.config,n.map,
 e)}function wl(n,e){let t=n.n_agents,r=n.config.n_evaders,s=(a,i,l)=>a.subarray(i*l,(i+1)*l),o={positions:s(n.last_positions,e,2*t),alive:s(n.alive,e,t),captured:s(
@@ -243,7 +243,7 @@ world],i=(f,g)=>v=>/^\d{1,6}$/.test(v)&&Number(v)>=f&&Number(v)<=g?Number(v):voi
 ...Object.keys(Qe)),beside:l("",...Object.keys(Qe)),learner:l("es","ga"),policy:l("rating","cells"),way:f=>/^[01]$/.test(f)?f==="1":void 0,seed:i(0,hn),generations:i(
 et,dn),pursuers:i(1,un),evaders:i(1,un),view:l(...Wr),steps:l(...jr),population:l(0,...Br),walls:c},h=Object.entries(e).map(([f,g])=>{let v=Object.hasOwn(u,f)?u[f](
 g):void 0;return v===void 0&&t(`${f}=${g}`),[f,v]}),m={...s,...Object.fromEntries(h.filter(([,f])=>f!==void 0))},p=m.way?{...m,view:Math.max(mn,m.view)}:m,y=fn(
-p,n.worlds[p.world]);return y&&t(y),y?{...p,walls:null}:p}var Vl=1e3,Yl=5;function le(n,e,t,r=""){return d("label",{class:`field ${r}`,title:e},d("span",{class:"field-name"},n),t,d("span",{class:"about small muted"},e))}
+p,n.worlds[p.world]);return y&&t(y),y?{...p,walls:null}:p}var Vl=1e3,Yl=5;function ce(n,e,t,r=""){return d("label",{class:`field ${r}`,title:e},d("span",{class:"field-name"},n),t,d("span",{class:"about small muted"},e))}
 function Ro(n,e){let t=Object.entries(Qe),r=b=>{let{n_pursuers:E,n_evaders:_,max_steps:R}=n.worlds[b];return{world:b,pursuers:E,evaders:_,steps:R,walls:null}},s=b=>{
 let{rows:E,cols:_,n_pursuers:R,n_evaders:k}=n.worlds[b];return`${b}: ${E} x ${_}, ${R} against ${k}`},o=re(Object.keys(n.worlds).map(b=>[b,s(b)]),b=>e(r(b),!0)),
 a=re(t,b=>e({schedule:b})),i=re([["","Nothing"],...t],b=>e({beside:b},!0)),l=Array.from({length:un},(b,E)=>[E+1,String(E+1)]),c=re(l,b=>e({pursuers:Number(b)})),
@@ -253,12 +253,12 @@ b=>[b,String(b)]),b=>e({steps:Number(b)})),f=re([["es","evolution strategy"],["g
  inputs"],["cells","a network over the cells of its view"]],b=>e({policy:b,...b==="cells"?{view:Yl}:{}},!0)),v=d("input",{type:"number",min:0,max:hn,step:1,inputmode:"\
 numeric"});v.addEventListener("change",()=>e({seed:Math.min(hn,Math.max(0,Math.round(Number(v.value))||0))},!0));let w=d("button",{type:"button",onclick:()=>e({
 seed:Math.floor(Math.random()*Vl)},!0)},"Another seed"),x=(b,E,..._)=>d("section",{class:`controls ${E}`,"aria-label":b},d("fieldset",{},d("legend",{},b),..._));
-return{main:x("Try something else","card",le("World","where they meet; begins a new race",o,"wide"),le("Pursuers","triangles; at once",c),le("Evaders","discs; a\
-t once",u),le("Steps","after which evaders that are free have won",y),le("Seed","the luck of the race; begins a new one",d("span",{class:"seed"},v,w),"half")),more:d(
-"details",{class:"card more-controls"},d("summary",{},"More: whom they meet, how they learn, what they see"),x("How they learn","",le("Opponents","whom the team\
-s meet while they learn",a,"wide"),le("Side by side with","a second race of the same seed",i,"wide"),le("What evolves","what an agent decides by",g,"half"),le("\
-Learner","how a team learns",f,"half"),le("View","cells that an agent sees around itself",h),le("Right of way","agents never take a move that could put them at \
-fault",d("span",{},m)),le("Population","candidates that are compared at a time",p))),show:b=>{o.value=b.world,a.value=b.schedule,i.value=b.beside,h.value=String(
+return{main:x("Try something else","card",ce("World","where they meet; begins a new race",o,"wide"),ce("Pursuers","triangles; at once",c),ce("Evaders","discs; a\
+t once",u),ce("Steps","after which evaders that are free have won",y),ce("Seed","the luck of the race; begins a new one",d("span",{class:"seed"},v,w),"half")),more:d(
+"details",{class:"card more-controls"},d("summary",{},"More: whom they meet, how they learn, what they see"),x("How they learn","",ce("Opponents","whom the team\
+s meet while they learn",a,"wide"),ce("Side by side with","a second race of the same seed",i,"wide"),ce("What evolves","what an agent decides by",g,"half"),ce("\
+Learner","how a team learns",f,"half"),ce("View","cells that an agent sees around itself",h),ce("Right of way","agents never take a move that could put them at \
+fault",d("span",{},m)),ce("Population","candidates that are compared at a time",p))),show:b=>{o.value=b.world,a.value=b.schedule,i.value=b.beside,h.value=String(
 b.view),f.value=b.learner,p.value=String(b.population),y.value=String(b.steps),v.value=String(b.seed),m.checked=b.way,g.value=b.policy,c.value=String(b.pursuers),
 u.value=String(b.evaders)}}}function zr(n,e,t,r){let{players:s,told:o,...a}=r;e.play({...a,played:t,ending:(i,l)=>[o?d("p",{},o(Se(i,t.seat))):"",Kl(n,i,l,so(s))],again:()=>zr(n,e,{...t,moves:t.
 moves.slice(0,t.from)},r)})}function Kl(n,e,t,r){let s=ve(t.config,t.seat)==="evader",o=s?t.config.max_steps:t.config.n_evaders,a=d("table",{class:"numbers"},d(
@@ -349,29 +349,29 @@ Math.max(2,2.5*s),o.strokeStyle=i.focus;let f=r.selected===null?void 0:h[r.selec
 top+r*e.cell-o/2,o,o,o*.1),n.stroke()}var ma=(n,e)=>(e+.24)/(n+.24);function Cn(n,e,t,r,s,o){let a=t?28*o:0,i=(c,u)=>(c-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,e),i(s,n))));return{rows:n,cols:e,
 cell:l,left:Math.round((r-e*l+a)/2),top:Math.round((s-n*l+a)/2)}}function pa(n,e,t){let r=Math.floor((t-n.top)/n.cell),s=Math.floor((e-n.left)/n.cell);return r>=
 0&&r<n.rows&&s>=0&&s<n.cols?[r,s]:null}var Cc=["paper","line","frame","ink","muted","obstacle"],Oc=["pursuer","evader","capture","collision","focus"];function st(n){let e=getComputedStyle(n),t=(r,s)=>[
-r,e.getPropertyValue(s+r).trim()];return Object.fromEntries([...Cc.map(r=>t(r,"--board-")),...Oc.map(r=>t(r,"--"))])}var Te=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,$e=class{canvas;#e=null;#n=0;#t;#r={rows:1,cols:1,left:0,top:0,cell:1};#i=0;constructor(e,t={}){
+r,e.getPropertyValue(s+r).trim()];return Object.fromEntries([...Cc.map(r=>t(r,"--board-")),...Oc.map(r=>t(r,"--"))])}var Te=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,$e=class{canvas;#e=null;#n=0;#t;#r={rows:1,cols:1,left:0,top:0,cell:1};#a=0;constructor(e,t={}){
 this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#t={...Tn,...t},new ResizeObserver(()=>this.#h()).observe(e),new MutationObserver(()=>this.
 redraw()).observe(document.documentElement,{attributes:!0}),addEventListener("beforeprint",()=>this.drawNow())}set look(e){this.#t={...this.#t,...e},this.#o(),this.
-redraw()}show(e,t){this.#e=e,this.#n=Math.min(Math.max(0,t),e.moments.length-1),this.#o(),this.redraw()}redraw(){this.#i||(this.#i=requestAnimationFrame(()=>this.
-drawNow()))}drawNow(){cancelAnimationFrame(this.#i),this.#i=0;let e=this.canvas.getContext("2d");if(!e||!this.#e)return;let{rows:t,cols:r}=this.#e,s=devicePixelRatio||
+redraw()}show(e,t){this.#e=e,this.#n=Math.min(Math.max(0,t),e.moments.length-1),this.#o(),this.redraw()}redraw(){this.#a||(this.#a=requestAnimationFrame(()=>this.
+drawNow()))}drawNow(){cancelAnimationFrame(this.#a),this.#a=0;let e=this.canvas.getContext("2d");if(!e||!this.#e)return;let{rows:t,cols:r}=this.#e,s=devicePixelRatio||
 1;this.#r=Cn(t,r,this.#t.axes,this.canvas.width,this.canvas.height,s);let o={ctx:e,grid:this.#r,colors:st(this.canvas)};En(o,this.#e,this.#n,this.#t,s)}cellAt(e,t){
 let r=this.canvas.getBoundingClientRect(),s=this.canvas.width/r.width;return pa(this.#r,(e-r.left)*s,(t-r.top)*s)}agentAt(e,t){let r=this.cellAt(e,t);if(!r||!this.#e)
 return null;let s=this.#e.moments[Math.round(this.#n)],o=Et(this.#e,s).get(r[0]*this.#e.cols+r[1])??[],a=wn(this.#e,Math.round(this.#n)),i=l=>{let[c,u]=this.pointOf(
 a[l].x,a[l].y);return Math.hypot(c-e,u-t)};return o.length?o.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(e,t){let r=this.canvas.getBoundingClientRect(),s=r.width/
 this.canvas.width,{left:o,top:a,cell:i}=this.#r;return[r.left+(o+e*i)*s,r.top+(a+t*i)*s]}#o(){if(!this.#e)return;let{rows:e,cols:t}=this.#e;this.canvas.style.setProperty(
 "--board-aspect",String(ma(e,t)))}#h(){let e=devicePixelRatio||1,{width:t,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
-t*e)),this.canvas.height=Math.max(1,Math.round(r*e)),this.drawNow()}};var Ct=[.5,1,2,4,8,16,32,64],On=0,kn=12,kc=2,Ie=class extends EventTarget{#e;#n;#t;#r=0;#i=0;#o=!1;#h=null;#m=0;#p=[];#y=[];glide=.28;constructor(e,{speed:t=4,still:r=!1}={}){
-super(),this.#e=e,this.#n=t,this.#t=r}get step(){return this.#r}get time(){return this.#t?this.#r:this.#i}get arrived(){return this.#i===this.#r}get playing(){return this.#o}get length(){
-return this.#e}set length(e){this.#e=e,this.#r>e&&this.jump(e),this.#a("state")}get marks(){return this.#p}set marks(e){this.#p=e,this.#a("state")}get ticks(){return this.#y}set ticks(e){
-this.#y=e,this.#a("state")}get pace(){return this.#n||Math.max(kc,this.#e/kn)}get speed(){return this.#n}set speed(e){this.#n=e,this.#a("state")}changeSpeed(e){
-let t=Ct.findIndex(r=>r>=this.pace);this.speed=Ct[Math.min(Ct.length-1,Math.max(0,t+e))]}play(){this.#o||!this.#e||(this.#r===this.#e&&this.jump(0),this.#o=!0,this.#a(
-"state"),this.#f())}pause(){this.#o&&(this.#o=!1,this.#a("state"))}toggle(){this.#o?this.pause():this.play()}move(e){this.pause();let t=Math.min(this.#e,Math.max(
-0,this.#r+e));Math.abs(t-this.#i)>1?this.jump(t):this.#d(t),this.#f()}jump(e){this.#i=Math.min(this.#e,Math.max(0,Math.round(e))),this.#d(this.#i),this.#a("fram\
-e")}#d(e){e!==this.#r&&(this.#r=e,this.#a("step"),this.#t&&this.#a("frame"))}#f(){this.#h===null&&(this.#m=performance.now(),this.#h=requestAnimationFrame(()=>this.#s()))}#s(){
-this.#h=null;let e=performance.now();this.#l(Math.min(.25,(e-this.#m)/1e3)),this.#m=e,(!this.#t||this.arrived)&&this.#a("frame"),(this.#o||this.#i!==this.#r)&&(this.#h=
-requestAnimationFrame(()=>this.#s()))}#l(e){let t=e;for(;t>0;){if(this.#i===this.#r){if(!this.#o)return;if(this.#r===this.#e)return this.pause();this.#d(this.#r+
-1)}let r=this.#o?this.pace:1/this.glide,s=this.#r-this.#i,o=Math.min(Math.abs(s),t*r);t-=o/r,this.#i=o===Math.abs(s)?this.#r:this.#i+Math.sign(s)*o}this.#o&&this.#i===
-this.#e&&this.pause()}#a(e){this.dispatchEvent(new Event(e))}};function Rn(n,e){if(e.ctrlKey||e.metaKey||e.altKey)return!1;let t=e.shiftKey?10:1,s={" ":()=>n.toggle(),
+t*e)),this.canvas.height=Math.max(1,Math.round(r*e)),this.drawNow()}};var Ct=[.5,1,2,4,8,16,32,64],On=0,kn=12,kc=2,Ie=class extends EventTarget{#e;#n;#t;#r=0;#a=0;#o=!1;#h=null;#m=0;#p=[];#g=[];glide=.28;constructor(e,{speed:t=4,still:r=!1}={}){
+super(),this.#e=e,this.#n=t,this.#t=r}get step(){return this.#r}get time(){return this.#t?this.#r:this.#a}get arrived(){return this.#a===this.#r}get playing(){return this.#o}get length(){
+return this.#e}set length(e){this.#e=e,this.#r>e&&this.jump(e),this.#i("state")}get marks(){return this.#p}set marks(e){this.#p=e,this.#i("state")}get ticks(){return this.#g}set ticks(e){
+this.#g=e,this.#i("state")}get pace(){return this.#n||Math.max(kc,this.#e/kn)}get speed(){return this.#n}set speed(e){this.#n=e,this.#i("state")}changeSpeed(e){
+let t=Ct.findIndex(r=>r>=this.pace);this.speed=Ct[Math.min(Ct.length-1,Math.max(0,t+e))]}play(){this.#o||!this.#e||(this.#r===this.#e&&this.jump(0),this.#o=!0,this.#i(
+"state"),this.#y())}pause(){this.#o&&(this.#o=!1,this.#i("state"))}toggle(){this.#o?this.pause():this.play()}move(e){this.pause();let t=Math.min(this.#e,Math.max(
+0,this.#r+e));Math.abs(t-this.#a)>1?this.jump(t):this.#d(t),this.#y()}jump(e){this.#a=Math.min(this.#e,Math.max(0,Math.round(e))),this.#d(this.#a),this.#i("fram\
+e")}#d(e){e!==this.#r&&(this.#r=e,this.#i("step"),this.#t&&this.#i("frame"))}#y(){this.#h===null&&(this.#m=performance.now(),this.#h=requestAnimationFrame(()=>this.#s()))}#s(){
+this.#h=null;let e=performance.now();this.#l(Math.min(.25,(e-this.#m)/1e3)),this.#m=e,(!this.#t||this.arrived)&&this.#i("frame"),(this.#o||this.#a!==this.#r)&&(this.#h=
+requestAnimationFrame(()=>this.#s()))}#l(e){let t=e;for(;t>0;){if(this.#a===this.#r){if(!this.#o)return;if(this.#r===this.#e)return this.pause();this.#d(this.#r+
+1)}let r=this.#o?this.pace:1/this.glide,s=this.#r-this.#a,o=Math.min(Math.abs(s),t*r);t-=o/r,this.#a=o===Math.abs(s)?this.#r:this.#a+Math.sign(s)*o}this.#o&&this.#a===
+this.#e&&this.pause()}#i(e){this.dispatchEvent(new Event(e))}};function Rn(n,e){if(e.ctrlKey||e.metaKey||e.altKey)return!1;let t=e.shiftKey?10:1,s={" ":()=>n.toggle(),
 ArrowRight:()=>n.move(t),ArrowLeft:()=>n.move(-t),Home:()=>n.move(-n.length),End:()=>n.move(n.length),"+":()=>n.changeSpeed(1),"-":()=>n.changeSpeed(-1)}[e.key];
 return s?.(),s!==void 0}var Rc={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
 l10 7-10 7z"};function fa(n){return M("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},M("path",{d:Rc[n]}))}function Ot(n,e,t,r){return d("button",
@@ -418,43 +418,43 @@ y.push(...p.conflictTable());p.free();let f={"<i4":Int32Array,"<f4":Float32Array
 +(x in c);g[x]={dtype:b,shape:[_,...E],data:f[b].from((h[x]??[]).flat())}}let v=x=>({dtype:"<i8",shape:[],data:Int32Array.of(x,0)}),w=x=>({dtype:"<U",shape:[],data:x});
 return Rt({format:w(Wc),n_pursuers:v(r.n_pursuers),config:w(JSON.stringify(r)),seat:v(t),...g,actions:{dtype:"|i1",shape:[o,i],data:Int8Array.from(s.flatMap(x=>[
 ...x]))},map:{dtype:"|b1",shape:[r.rows,r.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[y.length/11,11],data:Int32Array.from(
-y)}})}var Bc=[0,1,2,4,8],Ln=class{element;player=new Ie(0,{speed:4,still:Te()});#e;#n;#t=d("canvas",{tabindex:0,"aria-describedby":"play-keys"});#r=d("h2");#i=d("p",{
-class:"play-told",role:"status"});#o=Ea(e=>this.act(e));#h=re(Bc.map(e=>[e,e?`${e} / s`:"step by step"]),()=>this.#C());#m=d("input",{type:"checkbox",onchange:()=>this.#S()});#p=d(
-"input",{type:"checkbox",onchange:()=>this.#_()});#y=d("label",{class:"play-choice"},this.#p,"Best move");#d=d("p",{class:"small muted play-keys",id:"play-keys"});#f=d(
-"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#s=_n(this.player);#l=null;#a=null;#g=[];#c=null;#b=null;#w=[];#v=0;#u=0;constructor(e){
-this.#e=e,this.#n=new $e(this.#t,{numbers:!1}),this.#t.setAttribute("role","application"),Ca(this.#n,()=>{let t=this.#c!==null&&this.#a&&W(this.#a.recording.moments.
-at(-1),this.#c);return t?{cell:t,diagonal:this.#a.config.diagonal}:null},t=>this.act(t)),this.player.addEventListener("frame",()=>this.#a&&this.#n.show(this.#a.
-recording,this.player.time)),this.player.addEventListener("step",()=>this.#_()),this.element=d("div",{class:"play"},d("header",{class:"play-head"},this.#r,this.#i),
-d("div",{class:"play-stage"},this.#t),d("div",{class:"play-side"},this.#f,this.#o.element,d("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#h),
-d("label",{class:"play-choice"},this.#m,d("span",{},"Fog",d("span",{class:"at-length"},": see only what it sees"))),this.#y,this.#d),this.#s)}get played(){return this.#l&&
-{...this.#l.played,moves:this.#g}}get live(){return this.#a}play(e){this.#A(xt(this.#e,e.played),e.played.seat,e.title),this.#l=e,this.#g=[...e.played.moves],this.#v=
-0,this.element.dataset.state="playing",this.#t.focus({preventScroll:!0}),nn(this.#a,e.played.seat)&&this.#k()}watch(e,t,r){this.#l=null,this.#A(e,t,r),this.#R()}stop(){
-this.#C(),this.player.pause(),this.#l=null}act(e){let t=this.#l,r=this.#a;if(!t||!r||this.element.dataset.state!=="playing")return;this.#v=e;let s=Number(this.#h.
+y)}})}var Bc=[0,1,2,4,8],Ln=class{element;player=new Ie(0,{speed:4,still:Te()});#e;#n;#t=d("canvas",{tabindex:0,"aria-describedby":"play-keys"});#r=d("h2");#a=d("p",{
+class:"play-told",role:"status"});#o=Ea(e=>this.act(e));#h=re(Bc.map(e=>[e,e?`${e} / s`:"step by step"]),()=>this.#C());#m=d("input",{type:"checkbox",onchange:()=>this.#x()});#p=d(
+"input",{type:"checkbox",onchange:()=>this.#_()});#g=d("label",{class:"play-choice"},this.#p,"Best move");#d=d("p",{class:"small muted play-keys",id:"play-keys"});#y=d(
+"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#s=_n(this.player);#l=null;#i=null;#f=[];#c=null;#w=null;#b=[];#v=0;#u=0;constructor(e){
+this.#e=e,this.#n=new $e(this.#t,{numbers:!1}),this.#t.setAttribute("role","application"),Ca(this.#n,()=>{let t=this.#c!==null&&this.#i&&W(this.#i.recording.moments.
+at(-1),this.#c);return t?{cell:t,diagonal:this.#i.config.diagonal}:null},t=>this.act(t)),this.player.addEventListener("frame",()=>this.#i&&this.#n.show(this.#i.
+recording,this.player.time)),this.player.addEventListener("step",()=>this.#_()),this.element=d("div",{class:"play"},d("header",{class:"play-head"},this.#r,this.#a),
+d("div",{class:"play-stage"},this.#t),d("div",{class:"play-side"},this.#y,this.#o.element,d("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#h),
+d("label",{class:"play-choice"},this.#m,d("span",{},"Fog",d("span",{class:"at-length"},": see only what it sees"))),this.#g,this.#d),this.#s)}get played(){return this.#l&&
+{...this.#l.played,moves:this.#f}}get live(){return this.#i}play(e){this.#S(xt(this.#e,e.played),e.played.seat,e.title),this.#l=e,this.#f=[...e.played.moves],this.#v=
+0,this.element.dataset.state="playing",this.#t.focus({preventScroll:!0}),nn(this.#i,e.played.seat)&&this.#k()}watch(e,t,r){this.#l=null,this.#S(e,t,r),this.#R()}stop(){
+this.#C(),this.player.pause(),this.#l=null}act(e){let t=this.#l,r=this.#i;if(!t||!r||this.element.dataset.state!=="playing")return;this.#v=e;let s=Number(this.#h.
 value);this.#u||(this.#O(),s&&this.element.dataset.state==="playing"&&(this.#u=setInterval(()=>this.#O(),1e3/s)))}key(e){let{target:t,key:r}=e;if(t instanceof HTMLSelectElement||
-t instanceof HTMLInputElement&&(t.type==="text"||r===" ")||t instanceof HTMLButtonElement&&(r===" "||r==="Enter")||!this.#a)return!1;if(this.element.dataset.state!==
-"playing")return Rn(this.player,e);let o=Ta(e,this.#a.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#A(e,t,r){this.#C(),this.player.pause(),this.#a=
+t instanceof HTMLInputElement&&(t.type==="text"||r===" ")||t instanceof HTMLButtonElement&&(r===" "||r==="Enter")||!this.#i)return!1;if(this.element.dataset.state!==
+"playing")return Rn(this.player,e);let o=Ta(e,this.#i.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#S(e,t,r){this.#C(),this.player.pause(),this.#i=
 e,this.#c=t,this.#r.textContent=r,this.#t.ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#o.show(e.config.diagonal),this.#d.replaceChildren(
 d("span",{class:"at-length"},`W A S D or the arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the \
-board: swipe, or tap where to go."),this.#x(e),this.#f.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#_()}#S(){this.#n.look={you:this.#c,
-fog:this.#m.checked,viewers:this.#c===null?[]:[this.#c],plan:this.#T()}}#x(e){this.#b=null,this.#w=this.player.ticks=[],this.#y.hidden=this.#p.disabled=!!qt(e.config),
-$n(this.#e,e.config,va(e.config)).then(t=>{this.#a===e&&(this.#b=t,this.#E(),this.#_())})}#E(){let e=this.#a,t=this.#b;if(!t||this.element.dataset.state==="play\
-ing")return;let r=this.#e.world(e.config);r.reset(e.start),this.#w=In(t,r,e.actions),r.free(),this.player.ticks=Nn(this.#w)}get#M(){return this.#p.checked&&this.#l&&
-this.element.dataset.state==="playing"&&this.#b&&this.#a.game(this.#b)||null}#T(){let e=this.#c,t=this.#c!==null&&this.#M?.marginal(this.#c);return e!==null&&t?
-Object.assign(Array(e).fill(0),{[e]:t.indexOf(Math.max(...t))}):null}#C(){clearInterval(this.#u),this.#u=0,this.#i.ariaLive=Number(this.#h.value)?"off":"polite"}#O(){
-let{policies:e,seat:t}=this.#l.played,r=this.#a;r.step(e,t,this.#v),this.#g.push(this.#v),this.player.length=r.length,this.player.glide=Math.min(.22,.9/(Number(
-this.#h.value)||4)),this.player.move(r.length-this.player.step),nn(r,t)&&this.#k()}#k(){this.#C();let e=this.#l,t=this.#a,r=this.played,s=ge()?e.link(r):null,o=`${ie(
-r.seat,t.config.n_pursuers)}-${t.length}-steps.npz`,a=()=>Xe(o,Pa(this.#e,t,r.seat)),i=Zt("Link to this match");i.hidden=!0,this.#f.replaceChildren(d("h3",{id:"\
+board: swipe, or tap where to go."),this.#A(e),this.#y.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#_()}#x(){this.#n.look={you:this.#c,
+fog:this.#m.checked,viewers:this.#c===null?[]:[this.#c],plan:this.#E()}}#A(e){this.#w=null,this.#b=this.player.ticks=[],this.#g.hidden=this.#p.disabled=!!qt(e.config),
+$n(this.#e,e.config,va(e.config)).then(t=>{this.#i===e&&(this.#w=t,this.#T(),this.#_())})}#T(){let e=this.#i,t=this.#w;if(!t||this.element.dataset.state==="play\
+ing")return;let r=this.#e.world(e.config);r.reset(e.start),this.#b=In(t,r,e.actions),r.free(),this.player.ticks=Nn(this.#b)}get#M(){return this.#p.checked&&this.#l&&
+this.element.dataset.state==="playing"&&this.#w&&this.#i.game(this.#w)||null}#E(){let e=this.#c,t=this.#c!==null&&this.#M?.marginal(this.#c);return e!==null&&t?
+Object.assign(Array(e).fill(0),{[e]:t.indexOf(Math.max(...t))}):null}#C(){clearInterval(this.#u),this.#u=0,this.#a.ariaLive=Number(this.#h.value)?"off":"polite"}#O(){
+let{policies:e,seat:t}=this.#l.played,r=this.#i;r.step(e,t,this.#v),this.#f.push(this.#v),this.player.length=r.length,this.player.glide=Math.min(.22,.9/(Number(
+this.#h.value)||4)),this.player.move(r.length-this.player.step),nn(r,t)&&this.#k()}#k(){this.#C();let e=this.#l,t=this.#i,r=this.played,s=ge()?e.link(r):null,o=`${ie(
+r.seat,t.config.n_pursuers)}-${t.length}-steps.npz`,a=()=>Xe(o,Pa(this.#e,t,r.seat)),i=Zt("Link to this match");i.hidden=!0,this.#y.replaceChildren(d("h3",{id:"\
 play-headline"},zc(t,r.seat)),...e.ending(t,r),d("div",{class:"play-buttons"},d("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),d("butto\
 n",{type:"button",onclick:()=>this.#R()},"Watch it"),d("button",{type:"button",onclick:a},"Save"),s&&d("button",{type:"button",onclick:()=>Xt(i,s)},e.linkName??
-"Link")),i),this.element.dataset.state="ended",this.player.jump(t.length),this.#E();let l=this.#w.filter(({team:c})=>c===ve(t.config,r.seat));l.length&&this.#f.
-children[0].after(d("p",{class:"small muted"},wa(l))),this.#f.focus({preventScroll:!0}),this.#f.scrollIntoView({block:"nearest"})}#R(){this.element.dataset.state=
-"watched",this.player.length=this.#a.length,this.player.jump(0),Te()||this.player.play()}#_(){let e=this.#a,t=this.#c,{step:r}=this.player;if(!e||r>e.length)return;
+"Link")),i),this.element.dataset.state="ended",this.player.jump(t.length),this.#T();let l=this.#b.filter(({team:c})=>c===ve(t.config,r.seat));l.length&&this.#y.
+children[0].after(d("p",{class:"small muted"},wa(l))),this.#y.focus({preventScroll:!0}),this.#y.scrollIntoView({block:"nearest"})}#R(){this.element.dataset.state=
+"watched",this.player.length=this.#i.length,this.player.jump(0),Te()||this.player.play()}#_(){let e=this.#i,t=this.#c,{step:r}=this.player;if(!e||r>e.length)return;
 let s=Pn(e,e.recording,r).filter(({agents:l})=>t===null||l.includes(t)),o=this.#l&&r===0,a=o?[jc(e.config,t),this.#l.about??""]:[`Step ${r} of ${e.config.max_steps}`,
-...s.map(({text:l})=>l)];!o&&t!==null&&a.push(Gc(e,r,t)),a.push(...this.#w.filter(l=>l.step===r).map(kt));let i=r===e.length&&t!==null?this.#M:null;i&&a.push(`P\
-erfect play: ${Sa(i,t)||"decided in its turn"}; ${xa(this.#b,i,r)}`),this.#S(),this.#i.textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function jc(n,e){
+...s.map(({text:l})=>l)];!o&&t!==null&&a.push(Gc(e,r,t)),a.push(...this.#b.filter(l=>l.step===r).map(kt));let i=r===e.length&&t!==null?this.#M:null;i&&a.push(`P\
+erfect play: ${Sa(i,t)||"decided in its turn"}; ${xa(this.#w,i,r)}`),this.#x(),this.#a.textContent=a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function jc(n,e){
 let t=n.rules.capture==="SURROUND";return ve(n,e)==="evader"?`Run away: you win if ${t?"the pursuers do not surround you":"no pursuer reaches your cell"} in ${n.
 max_steps} steps`:`Capture evaders: ${t?"surround them with your team":"move onto their cells"}`}function Gc({config:n,recording:e},t,r){let s=e.moments[t],o=ve(
-n,r),a=de(o);if(!s.alive[r])return"";let i=W(s,r),l=h=>{let[m,p]=W(s,h);return Math.max(Math.abs(m-i[0]),Math.abs(p-i[1]))},c=Array.from({length:s.alive.length},
+n,r),a=le(o);if(!s.alive[r])return"";let i=W(s,r),l=h=>{let[m,p]=W(s,h);return Math.max(Math.abs(m-i[0]),Math.abs(p-i[1]))},c=Array.from({length:s.alive.length},
 (h,m)=>m).filter(h=>ve(n,h)===a&&s.alive[h]&&!s.captured[h-n.n_pursuers]&&2*l(h)<n.fov);if(!c.length)return`No ${a} in view`;let u=c.reduce((h,m)=>l(m)<l(h)?m:h);
 return`Nearest ${a}: ${Oa(i,W(s,u))}`}function zc(n,e){let{lasted:t,out:r,captured:s}=Se(n,e),{config:o}=n;return ve(o,e)==="pursuer"?`Your team captured ${s} o\
 f ${Hc(o)} in ${t} steps.`:r?`You lasted ${t} of ${o.max_steps} steps.`:`You escaped: ${t} steps.`}var Hc=({n_evaders:n})=>`${n} evader${n===1?"":"s"}`;var Vc=60,Yc={evader:"Can you escape them?",pursuer:"Can you catch them?"},Fn=class{dialog=d("dialog",{class:"take-over","aria-label":"Play against the champion\
@@ -497,32 +497,32 @@ u=m=>{let y=`${i?`weight ${at(i[m])} x `:""}${Le[m]}`;return d("th",{scope:"row"
 d("tr",{},d("th",{},i?"term":"input"),...Array.from(t,(m,p)=>d("th",{scope:"col",class:l(p),title:se[p],"aria-label":se[p]},Zc[p]))),c(d("th",{scope:"row"},i?"s\
 um":"rating"),t)),d("tbody",{},...es(n,a).map(m=>{let p=i?i[m]:1,y=e[n.inputs.indexOf(m)];return c(u(m),y.map(f=>p*f))})));return[...a?[d("p",{class:"expression"},
 d("code",{},a.expression))]:[],d("div",{class:"wide-table",tabindex:0,role:"group","aria-label":"How the moves are rated"},h)]}var Xc=(n,{pursuer:e,evader:t})=>({pursuers:_e(n,"pursuer",e),evaders:_e(n,"evader",t)}),za="What it remembers: a number for each unit, from -1 to 1",it=class{element;#e;#n;#t=d(
-"canvas",{class:"seen",role:"img"});#r=d("h3");#i=d("p",{class:"small muted"});#o=d("div",{class:"answers"});#h=d("div",{title:za});#m=null;#p=null;#y=null;#d=null;#f=null;#s=null;#l=null;#a=0;#g=null;#c=null;#b=new Map;constructor(e,t=null){
+"canvas",{class:"seen",role:"img"});#r=d("h3");#a=d("p",{class:"small muted"});#o=d("div",{class:"answers"});#h=d("div",{title:za});#m=null;#p=null;#g=null;#d=null;#y=null;#s=null;#l=null;#i=0;#f=null;#c=null;#w=new Map;constructor(e,t=null){
 this.#e=e,this.#n=t,this.element=d("div",{class:"inspector","data-open":"false"},d("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and\
- why it takes its move."),d("div",{class:"inspected"},this.#t,d("div",{class:"answer"},this.#r,this.#i,this.#h),this.#o))}get agent(){return this.#l}show(e,t,r,s,o=Xc(
-t,s)){this.#m?.free(),this.#m=e.world(r.config),this.#y!==t&&(this.#p=null,this.#l!==null&&this.choose(null)),this.#y=t,this.#d=r,this.#f=s,this.#s=o,this.#w()}set solution(e){
-this.#p=e,this.at(this.#a)}choose(e){this.#l=e,this.#w(),this.element.dataset.open=String(e!==null),this.#e(e),this.at(this.#a)}next(e){let t=this.#d;if(!t)return;
-let r=this.#l??(e>0?-1:0);for(let s=0;s<t.n_agents;s++)if(r=(r+e+t.n_agents)%t.n_agents,t.alive[this.#a*t.n_agents+r])return this.choose(r)}ask(e){let t=this.#v();
-if(!t.length)return;let r=t.indexOf(this.#g??this.#E(this.#l)??0);this.#g=t[(r+e+t.length)%t.length],this.at(this.#a)}askTo(e){let t=this.#u(e);return t===null?
-!1:(this.#g=t,this.#c=null,this.at(this.#a),!0)}point(e,t){let r=e&&this.#u(e),s=this.#l,o=r!==null&&s!==null?{agent:s,move:r}:t!==null&&t!==s?{agent:t,move:null}:
-null;o?.agent===this.#c?.agent&&o?.move===this.#c?.move||(this.#c=o,this.at(this.#a))}#w(){this.#g=this.#c=null,this.#b.clear()}#v(){let e=this.#l;if(e===null||
-!this.#d||!this.#S(e))return[];let{config:t}=this.#d,r=this.#M(e)?.view,s=Math.floor(t.fov/2);return ae.slice(0,t.diagonal?9:5).flatMap(([o,a],i)=>r&&!r[(2*t.fov+
-s+o)*t.fov+s+a]?[i]:[])}#u([e,t]){let r=this.#l,s=r===null?null:this.#M(r)?.at;return s?this.#v().find(o=>s[0]+ae[o][0]===e&&s[1]+ae[o][1]===t)??null:null}#A(e){
-return e<this.#d.config.n_pursuers?"pursuer":"evader"}#S(e){let t=this.#s?.[`${this.#A(e)}s`];return t&&typeof t!="string"&&t.kind!=="cells"?t:null}#x(e){let t=this.#A(
-e);return Ao(this.#y,t,this.#f[t])}#E(e){let{actions:t,n_agents:r}=this.#d;return t[this.#a*r+e]??null}#M(e){return this.#b.has(e)||this.#b.set(e,this.#T(e)),this.#b.
-get(e)}#T(e){let[t,r,s]=[this.#d,this.#m,this.#a];t.seek(r,s,this.#s);let o=r.read("positions"),a=t.actions.subarray(s*t.n_agents,(s+1)*t.n_agents);for(;a.length&&
+ why it takes its move."),d("div",{class:"inspected"},this.#t,d("div",{class:"answer"},this.#r,this.#a,this.#h),this.#o))}get agent(){return this.#l}show(e,t,r,s,o=Xc(
+t,s)){this.#m?.free(),this.#m=e.world(r.config),this.#g!==t&&(this.#p=null,this.#l!==null&&this.choose(null)),this.#g=t,this.#d=r,this.#y=s,this.#s=o,this.#b()}set solution(e){
+this.#p=e,this.at(this.#i)}choose(e){this.#l=e,this.#b(),this.element.dataset.open=String(e!==null),this.#e(e),this.at(this.#i)}next(e){let t=this.#d;if(!t)return;
+let r=this.#l??(e>0?-1:0);for(let s=0;s<t.n_agents;s++)if(r=(r+e+t.n_agents)%t.n_agents,t.alive[this.#i*t.n_agents+r])return this.choose(r)}ask(e){let t=this.#v();
+if(!t.length)return;let r=t.indexOf(this.#f??this.#T(this.#l)??0);this.#f=t[(r+e+t.length)%t.length],this.at(this.#i)}askTo(e){let t=this.#u(e);return t===null?
+!1:(this.#f=t,this.#c=null,this.at(this.#i),!0)}point(e,t){let r=e&&this.#u(e),s=this.#l,o=r!==null&&s!==null?{agent:s,move:r}:t!==null&&t!==s?{agent:t,move:null}:
+null;o?.agent===this.#c?.agent&&o?.move===this.#c?.move||(this.#c=o,this.at(this.#i))}#b(){this.#f=this.#c=null,this.#w.clear()}#v(){let e=this.#l;if(e===null||
+!this.#d||!this.#x(e))return[];let{config:t}=this.#d,r=this.#M(e)?.view,s=Math.floor(t.fov/2);return ae.slice(0,t.diagonal?9:5).flatMap(([o,a],i)=>r&&!r[(2*t.fov+
+s+o)*t.fov+s+a]?[i]:[])}#u([e,t]){let r=this.#l,s=r===null?null:this.#M(r)?.at;return s?this.#v().find(o=>s[0]+ae[o][0]===e&&s[1]+ae[o][1]===t)??null:null}#S(e){
+return e<this.#d.config.n_pursuers?"pursuer":"evader"}#x(e){let t=this.#s?.[`${this.#S(e)}s`];return t&&typeof t!="string"&&t.kind!=="cells"?t:null}#A(e){let t=this.#S(
+e);return Ao(this.#g,t,this.#y[t])}#T(e){let{actions:t,n_agents:r}=this.#d;return t[this.#i*r+e]??null}#M(e){return this.#w.has(e)||this.#w.set(e,this.#E(e)),this.#w.
+get(e)}#E(e){let[t,r,s]=[this.#d,this.#m,this.#i];t.seek(r,s,this.#s);let o=r.read("positions"),a=t.actions.subarray(s*t.n_agents,(s+1)*t.n_agents);for(;a.length&&
 !r.over&&(e<r.actors[0]||e>=r.actors[1]);)r.playTurn(a);let i=r.read("alive");if(!t.alive[s*t.n_agents+e]||!i[e])return null;let l=r.read("positions"),c=h=>[l[2*
-h],l[2*h+1]],u=Array.from(i,(h,m)=>m).filter(h=>i[h]&&(l[2*h]!==o[2*h]||l[2*h+1]!==o[2*h+1]));return{at:c(e),view:r.view(e),moved:u.map(h=>({pursuer:this.#A(h)===
-"pursuer",cell:c(h)}))}}#C(){if(!this.#n)return;let e=this.#c?.agent??this.#l,t=e===null||!this.#d?null:this.#S(e),r=e===null||!t?null:this.#O(e),s=e===null||r===
-null?null:this.#M(e);if(e===null||!t||r===null||!s)return this.#n(null);let o={config:this.#d.config,team:this.#A(e),move:r,...s},a=es(t,this.#x(e));this.#n({...Da(
-o,a),moved:s.moved})}#O(e){let t=e===this.#l?this.#g:null;return this.#c?.move??t??this.#E(e)}at(e){e!==this.#a&&this.#w(),this.#a=e,this.#k(),this.#C()}#k(){let e=this.#d,
-t=this.#m,r=this.#y,s=this.#f,o=this.#s,a=this.#l;if(!e||!t||!r||!s||!o||a===null)return;let i=this.#A(a);this.#h.replaceChildren(),this.#r.replaceChildren(d("s\
-pan",{class:i},ie(a,e.config.n_pursuers)));let l=this.#T(a);if(ja(this.#t,e.config,l?.view??null,a),this.#t.ariaLabel=`Field of view of ${ie(a,e.config.n_pursuers)}\
-: evaders, pursuers and obstacles around it`,!l)return this.#R([],"It is gone.");let c=this.#E(a),u=o[`${i}s`],h=typeof u!="string"&&u.kind==="cells"?t.answer(u,
-a):null,m=h?.probabilities??null;h?.memory.length&&this.#h.replaceChildren(d("p",{class:"small muted"},"It remembers:"),nu(h.memory));let p=this.#S(a),y=this.#n?
-this.#O(a):null,f=p?Ga(p,t.rate(p,a),c,y,this.#x(a)):[],g=this.#p?.game(t)??null,v=[["network",m],["perfect",g?.marginal(a)??null]],w=x=>d("p",{class:"small mut\
+h],l[2*h+1]],u=Array.from(i,(h,m)=>m).filter(h=>i[h]&&(l[2*h]!==o[2*h]||l[2*h+1]!==o[2*h+1]));return{at:c(e),view:r.view(e),moved:u.map(h=>({pursuer:this.#S(h)===
+"pursuer",cell:c(h)}))}}#C(){if(!this.#n)return;let e=this.#c?.agent??this.#l,t=e===null||!this.#d?null:this.#x(e),r=e===null||!t?null:this.#O(e),s=e===null||r===
+null?null:this.#M(e);if(e===null||!t||r===null||!s)return this.#n(null);let o={config:this.#d.config,team:this.#S(e),move:r,...s},a=es(t,this.#A(e));this.#n({...Da(
+o,a),moved:s.moved})}#O(e){let t=e===this.#l?this.#f:null;return this.#c?.move??t??this.#T(e)}at(e){e!==this.#i&&this.#b(),this.#i=e,this.#k(),this.#C()}#k(){let e=this.#d,
+t=this.#m,r=this.#g,s=this.#y,o=this.#s,a=this.#l;if(!e||!t||!r||!s||!o||a===null)return;let i=this.#S(a);this.#h.replaceChildren(),this.#r.replaceChildren(d("s\
+pan",{class:i},ie(a,e.config.n_pursuers)));let l=this.#E(a);if(ja(this.#t,e.config,l?.view??null,a),this.#t.ariaLabel=`Field of view of ${ie(a,e.config.n_pursuers)}\
+: evaders, pursuers and obstacles around it`,!l)return this.#R([],"It is gone.");let c=this.#T(a),u=o[`${i}s`],h=typeof u!="string"&&u.kind==="cells"?t.answer(u,
+a):null,m=h?.probabilities??null;h?.memory.length&&this.#h.replaceChildren(d("p",{class:"small muted"},"It remembers:"),nu(h.memory));let p=this.#x(a),y=this.#n?
+this.#O(a):null,f=p?Ga(p,t.rate(p,a),c,y,this.#A(a)):[],g=this.#p?.game(t)??null,v=[["network",m],["perfect",g?.marginal(a)??null]],w=x=>d("p",{class:"small mut\
 ed"},x);this.#R([...g?[w(`Value ${g.value.toFixed(2)} under perfect play.`)]:[],...eu(v,c),...f],c===null?"The episode is over.":Qc(u,c))}#R(e,t){this.#o.replaceChildren(
-...e),this.#i.textContent=t}};function Qc(n,e){return typeof n=="string"?`The script "${n}" plays for it; it goes ${se[e]}.`:n.kind!=="cells"?"It takes the best\
+...e),this.#a.textContent=t}};function Qc(n,e){return typeof n=="string"?`The script "${n}" plays for it; it goes ${se[e]}.`:n.kind!=="cells"?"It takes the best\
  move that its mask allows; of equal ones any.":n.sampled?"Its action is drawn from these probabilities.":"It takes the most probable action."}function eu(n,e){
 let t=n.filter(([,o])=>o);if(!t.length)return[];let r=d("div",{class:"action muted"},d("span"),...t.map(([o])=>d("span",{class:"head"},o))),s=Array.from(t[0][1],
 (o,a)=>d("div",{class:a===e?"action taken":"action"},d("span",{},se[a]),...t.flatMap(([,i])=>tu(i[a]))));return t.length>1||t[0][0]!==n[0][0]?[r,...s]:s}function tu(n){
@@ -542,7 +542,7 @@ let{others:s,extras:o={}}=n.payoff,a=s?.[t]?.[r],i=a===void 0?[]:[`score of the 
 i.push(`${l} ${q(u)}`)}return i.length?`Means of the pair: ${i.join(", ")}`:""}function au(n,e,t,r,s){let o=Object.keys(e.shows).map(u=>u.split(" ").map(Number)),
 a=([u,h])=>(u-t)**2+(h-r)**2,[i,l]=o.sort((u,h)=>a(u)-a(h))[0]??[];if(i===void 0||l===void 0)return null;let c=`${te(n,"pursuer",i)} against ${te(n,"evader",l)}`;
 return d("p",{},d("button",{type:"button",onclick:()=>s.select({pursuer:i,evader:l})},`Nearest: ${c}`))}function Va(n){let e=JSON.stringify(n,(t,r)=>t==="genome"?Array.from(r):r);return d("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
-outerHTML}var Pt="_",iu="n",Xp=2n**64n-1n;var ts={fov:11,maxSteps:500,rewards:"paper"},lu=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
+outerHTML}var Pt="_",iu="n",Zp=2n**64n-1n;var ts={fov:11,maxSteps:500,rewards:"paper"},lu=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
 "next"];function qa(n,e){let t=i=>i.map(l=>uu(l,e)).join(""),r=i=>`${Math.floor(i/n.cols)}.${i%n.cols}`,s=cu(n.rewards,e),o=[n.seed,n.episode,n.steps].join("."),a={rules:Ka(
 n.rules,e),others:n.others?Ka(n.others,e):"",rewards:s===ts.rewards?"":s,size:`${n.rows}x${n.cols}`,diagonal:n.diagonal?"1":"",fov:n.fov===ts.fov?"":String(n.fov),
 limit:n.maxSteps===ts.maxSteps?"":String(n.maxSteps),seed:o==="0.0.0"?"":o,ended:n.ended?"1":"",walls:n.walls.map(r).join(Pt),pursuers:n.pursuers.map(Ya).join(Pt),
@@ -558,35 +558,35 @@ t if?",onclose:()=>a.remove()},d("button",{type:"button",class:"leave",onclick:(
 let{config:t,n_agents:r}=n,s=Math.max(0,e-1),o=i=>{let l=s*r+i,c=s*t.n_evaders+i-t.n_pursuers,u=h=>i>=t.n_pursuers&&!!h[c];return{cell:[n.last_positions[2*l],n.
 last_positions[2*l+1]],gone:!n.alive[l],captured:u(n.captured),everCaptured:u(n.ever_captured)}},a=Array.from({length:r},(i,l)=>o(l));return{rules:t.rules,others:null,
 rewards:t.rewards,rows:t.rows,cols:t.cols,diagonal:t.diagonal,fov:t.fov,maxSteps:t.max_steps,seed:n.seed,episode:BigInt(n.episode),steps:s,ended:s===n.length,walls:Array.
-from(n.map.keys()).filter(i=>n.map[i]),pursuers:a.slice(0,t.n_pursuers),evaders:a.slice(t.n_pursuers),played:[],next:Array.from(n.actions.subarray(s*r,(s+1)*r))}}var pu=60,jn=class{element;player=new Ie(0,{speed:On,still:Te()});inspector;match=null;recording=null;inputs=null;actions;#e;#n;#t;#r;#i=d("h2",{class:"match-ti\
+from(n.map.keys()).filter(i=>n.map[i]),pursuers:a.slice(0,t.n_pursuers),evaders:a.slice(t.n_pursuers),played:[],next:Array.from(n.actions.subarray(s*r,(s+1)*r))}}var pu=60,jn=class{element;player=new Ie(0,{speed:On,still:Te()});inspector;match=null;recording=null;inputs=null;actions;#e;#n;#t;#r;#a=d("h2",{class:"match-ti\
 tle"});#o=d("p",{class:"tally numbers"});#h=d("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#m=d("p",{class:"prob\
-lem",role:"alert"});#p=d("div",{class:"signs"});#y=d("div",{class:"shown","aria-live":"polite"});#d=null;#f=null;#s=0;#l=!1;#a=0;#g=[];constructor(e,t,r){this.#n=
-e,this.#t=t;let s=d("canvas",{"aria-label":"The match",onclick:({clientX:o,clientY:a})=>this.#T(o,a),onpointermove:({clientX:o,clientY:a,pointerType:i})=>i==="m\
+lem",role:"alert"});#p=d("div",{class:"signs"});#g=d("div",{class:"shown","aria-live":"polite"});#d=null;#y=null;#s=0;#l=!1;#i=0;#f=[];constructor(e,t,r){this.#n=
+e,this.#t=t;let s=d("canvas",{"aria-label":"The match",onclick:({clientX:o,clientY:a})=>this.#E(o,a),onpointermove:({clientX:o,clientY:a,pointerType:i})=>i==="m\
 ouse"&&this.#C(o,a),onpointerleave:()=>this.inspector.point(null,null)});this.#e=new $e(s,{numbers:!1}),this.#r=new Bn(t),this.inspector=new it(o=>this.#O(o),o=>this.#e.
 look={inputs:this.inputs=o}),this.actions=d("div",{class:"match-actions"},d("button",{type:"button",class:"to-play",title:"Move the chosen agent, or an evader, \
 yourself from this step on (T)",onclick:()=>this.element.dispatchEvent(new Event("takeover"))},"Take over"),r&&Ja(()=>this.shown,r)),this.element=d("section",{class:"\
-card match-card","aria-label":"Match",id:"match"},d("div",{class:"match"},d("header",{class:"match-head"},this.#i,this.#o),this.#m,this.#y,d("div",{class:"stage"},
+card match-card","aria-label":"Match",id:"match"},d("div",{class:"match"},d("header",{class:"match-head"},this.#a,this.#o),this.#m,this.#g,d("div",{class:"stage"},
 s),d("div",{class:"aside"},this.#h,Qt(),this.#p,this.actions,this.inspector.element),_n(this.player),this.#r.element)),this.player.addEventListener("frame",()=>this.
-recording&&this.#e.show(this.recording,this.player.time)),this.player.addEventListener("step",()=>this.#E()),t.on("match",()=>this.#w()),this.#x(),this.#M(0,0)}get#c(){
-return this.#n[this.#t.selected.run]}reveal(){(this.#c.game?this.#y:this.#e.canvas).scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#f&&{match:this.
-match,step:this.player.step,champions:this.#f}}start(e){this.#d=e,this.#v()}playSoon(){this.#l=!0,this.#s||this.#b()}goTo(e){this.#a=e,!this.#s&&this.match&&this.#v()}#b(){
-!this.#l||!this.match||(this.#l=!1,this.player.jump(0),Te()||this.player.play())}#w(){this.#x(),clearTimeout(this.#s),this.#s=setTimeout(()=>this.#v(),pu)}#v(){
-clearTimeout(this.#s),this.#s=0,this.player.pause(),this.#x();let{selected:e}=this.#t,{game:t}=this.#c;if(this.#y.replaceChildren(...t?Ha(this.#c,t,e,this.#t):[]),
-t){this.match=this.recording=null,this.#l=!1,this.#A(e);return}let r=T.map(a=>xo(this.#c,a,e[a])).find(Boolean)??"";if(this.#m.textContent=r,r||!this.#d)return;
-this.match=Mo(this.#d,this.#c,e);let[s,o]=this.names(e);this.#f={pursuer:{name:s,policy:_e(this.#c,"pursuer",e.pursuer)},evader:{name:o,policy:_e(this.#c,"evade\
+recording&&this.#e.show(this.recording,this.player.time)),this.player.addEventListener("step",()=>this.#T()),t.on("match",()=>this.#b()),this.#A(),this.#M(0,0)}get#c(){
+return this.#n[this.#t.selected.run]}reveal(){(this.#c.game?this.#g:this.#e.canvas).scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#y&&{match:this.
+match,step:this.player.step,champions:this.#y}}start(e){this.#d=e,this.#v()}playSoon(){this.#l=!0,this.#s||this.#w()}goTo(e){this.#i=e,!this.#s&&this.match&&this.#v()}#w(){
+!this.#l||!this.match||(this.#l=!1,this.player.jump(0),Te()||this.player.play())}#b(){this.#A(),clearTimeout(this.#s),this.#s=setTimeout(()=>this.#v(),pu)}#v(){
+clearTimeout(this.#s),this.#s=0,this.player.pause(),this.#A();let{selected:e}=this.#t,{game:t}=this.#c;if(this.#g.replaceChildren(...t?Ha(this.#c,t,e,this.#t):[]),
+t){this.match=this.recording=null,this.#l=!1,this.#S(e);return}let r=T.map(a=>xo(this.#c,a,e[a])).find(Boolean)??"";if(this.#m.textContent=r,r||!this.#d)return;
+this.match=Mo(this.#d,this.#c,e);let[s,o]=this.names(e);this.#y={pursuer:{name:s,policy:_e(this.#c,"pursuer",e.pursuer)},evader:{name:o,policy:_e(this.#c,"evade\
 r",e.evader)}},this.recording=tn(this.match),this.#r.show(this.#c,this.match),this.inspector.show(this.#d,this.#c,this.match,e),this.player.length=this.match.length,
-this.player.marks=vn(this.recording),this.#g=this.player.ticks=[],this.player.jump(this.#a),this.#a=0,this.#E(),this.#S(this.#d,this.match),this.#A(e),this.#b()}#u(){
+this.player.marks=vn(this.recording),this.#f=this.player.ticks=[],this.player.jump(this.#i),this.#i=0,this.#T(),this.#x(this.#d,this.match),this.#S(e),this.#w()}#u(){
 let{teams:e,world:t}=this.#c,r=T.flatMap(o=>{let{policy:a}=e[o];return a&&a.kind!=="cells"?a.inputs:[]}),s=t!==null&&t.rules.interaction!=="SIMULTANEOUS";return ha(
-[...new Set(r)],s)}#A({run:e,pursuer:t,evader:r,episode:s,seed:o}){this.element.dataset.played=`${e} ${t} ${r} ${s} ${o??""}`}async#S(e,t){let r=await $n(e,t.config);
-if(this.match!==t||!r)return;let s=e.world(t.config);t.seek(s,0),this.#g=In(r,s,fu(t)),s.free(),this.player.ticks=Nn(this.#g),this.inspector.solution=r,this.#E()}names({
-run:e,pursuer:t,evader:r}){let s=this.#n[e],{teams:o}=s;return[o.pursuer.script??te(s,"pursuer",t),o.evader.script??te(s,"evader",r)]}#x(){let{episode:e,seed:t}=this.#t.
+[...new Set(r)],s)}#S({run:e,pursuer:t,evader:r,episode:s,seed:o}){this.element.dataset.played=`${e} ${t} ${r} ${s} ${o??""}`}async#x(e,t){let r=await $n(e,t.config);
+if(this.match!==t||!r)return;let s=e.world(t.config);t.seek(s,0),this.#f=In(r,s,fu(t)),s.free(),this.player.ticks=Nn(this.#f),this.inspector.solution=r,this.#T()}names({
+run:e,pursuer:t,evader:r}){let s=this.#n[e],{teams:o}=s;return[o.pursuer.script??te(s,"pursuer",t),o.evader.script??te(s,"evader",r)]}#A(){let{episode:e,seed:t}=this.#t.
 selected,{game:r,payoff:s}=this.#c;this.element.classList.toggle("of-own-game",!!r),this.element.classList.toggle("of-ratings",T.some(l=>So(this.#c,l))),this.#p.
 replaceChildren(...this.#u());let[o,a]=this.names(this.#t.selected),i=t===null?e<s.episodes?`episode ${e+1} of ${s.episodes}`:`episode ${e+1}, not part of the c\
-ell`:`seed ${t}`;this.#i.replaceChildren(d("span",{class:"pursuer"},Dn(o))," against ",d("span",{class:"evader"},a),r?"":d("span",{class:"muted small"},i))}#E(){
+ell`:`seed ${t}`;this.#a.replaceChildren(d("span",{class:"pursuer"},Dn(o))," against ",d("span",{class:"evader"},a),r?"":d("span",{class:"muted small"},i))}#T(){
 let e=this.match;if(!e||!this.recording)return;let t=this.player.step,r=this.recording.moments[t];this.#M(Array.from(r.everCaptured).filter(Boolean).length,t),this.#h.
-replaceChildren(...this.#g.filter(s=>s.step===t).map(s=>d("li",{class:`loss-${s.team}`},kt(s))),...Pn(e,this.recording,t).map(s=>d("li",{class:s.kind,"data-agen\
+replaceChildren(...this.#f.filter(s=>s.step===t).map(s=>d("li",{class:`loss-${s.team}`},kt(s))),...Pn(e,this.recording,t).map(s=>d("li",{class:s.kind,"data-agen\
 ts":s.agents.join(" ")},s.text))),this.inspector.at(t),this.#k()}#M(e,t){let{world:r}=this.#c;r&&this.#o.replaceChildren(d("strong",{},e),` of ${r.n_evaders} ca\
-ptured`,d("span",{class:"muted"},` · step ${t}`))}#T(e,t){let r=this.#e.agentAt(e,t),s=this.#e.cellAt(e,t);r===null&&s&&this.inspector.askTo(s)||this.inspector.
+ptured`,d("span",{class:"muted"},` · step ${t}`))}#E(e,t){let r=this.#e.agentAt(e,t),s=this.#e.cellAt(e,t);r===null&&s&&this.inspector.askTo(s)||this.inspector.
 choose(r)}#C(e,t){this.inspector.point(this.#e.cellAt(e,t),this.#e.agentAt(e,t))}#O(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#k()}#k(){let e=this.
 inspector.agent;for(let t of this.#h.children){let r=t.dataset.agents?.split(" ")??[];t.classList.toggle("about",e!==null&&r.includes(String(e)))}}},fu=({actions:n,
 length:e,n_agents:t})=>Array.from({length:e},(r,s)=>n.subarray(s*t,(s+1)*t));var yu={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},gu=5;function Xa(n,e,t,r="pursuer"){n.tabIndex=0,n.setAttribute("role","application"),
@@ -604,38 +604,38 @@ zn,o),u=[];for(let f=a+l-1;f>=a;f--){u.push(d("span",{class:"pursuer"},f));for(l
 {class:"evader"},i+g)),m=d("button",{type:"button","aria-label":"Close: all cells",onclick:()=>r(null)},"✕"),y=d("div",{class:"loupe numbers",role:"group","ar\
 ia-label":"Cells around the tap",onclick:f=>f.stopPropagation()},...u,m,...h);return y.style.gridTemplateColumns=`2.4rem repeat(${c}, minmax(0, 1fr))`,y}function wu(n,e,t,r){
 let s=d("button",{type:"button",onclick:()=>r({pursuer:e,evader:t})});return ri(s,Pe(n,e,t)?.rate,`${te(n,"pursuer",e)} against ${te(n,"evader",t)}`),s}var si=(n,e)=>Math.
-max(0,Math.min(e-zn,n-Math.floor(zn/2)));var ce={left:52,bottom:46,top:76,right:84},xe=10,xu=160,It=ce.right-xe-14,je=ce.top-xe-14,Hn=class{element;#e;#n;#t=d("canvas",{"aria-hidden":"true"});#r=M("svg",
-{"aria-hidden":"true"});#i=M("g");#o;#h=d("h2");#m=d("strong",{class:"rate numbers"});#p=d("span",{class:"small muted"});#y=d("p",{class:"of-both-teams small mu\
-ted numbers"});#d;#f=null;constructor(e,t){this.#n=e,this.#e=t,this.#o=d("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a matc\
-h, Enter plays it.",onpointermove:s=>this.#u(s),onpointerleave:()=>t.point({}),onclick:s=>this.#A(s),onkeydown:({key:s})=>s==="Enter"&&this.#x()},this.#t,this.#r);
-let r=d("header",{class:"readout","aria-live":"polite"},d("div",{},this.#h,this.#y),d("div",{class:"of-cell"},this.#m,this.#p));this.#d=ns(...Re(this.#s).ends),
-this.element=d("section",{class:"card matrix-card","aria-label":"Payoff matrix"},r,this.#o,this.#d),this.#b(),new ResizeObserver(()=>this.#l()).observe(this.#o),
+max(0,Math.min(e-zn,n-Math.floor(zn/2)));var ue={left:52,bottom:46,top:76,right:84},xe=10,xu=160,It=ue.right-xe-14,je=ue.top-xe-14,Hn=class{element;#e;#n;#t=d("canvas",{"aria-hidden":"true"});#r=M("svg",
+{"aria-hidden":"true"});#a=M("g");#o;#h=d("h2");#m=d("strong",{class:"rate numbers"});#p=d("span",{class:"small muted"});#g=d("p",{class:"of-both-teams small mu\
+ted numbers"});#d;#y=null;constructor(e,t){this.#n=e,this.#e=t,this.#o=d("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a matc\
+h, Enter plays it.",onpointermove:s=>this.#u(s),onpointerleave:()=>t.point({}),onclick:s=>this.#S(s),onkeydown:({key:s})=>s==="Enter"&&this.#A()},this.#t,this.#r);
+let r=d("header",{class:"readout","aria-live":"polite"},d("div",{},this.#h,this.#g),d("div",{class:"of-cell"},this.#m,this.#p));this.#d=ns(...Re(this.#s).ends),
+this.element=d("section",{class:"card matrix-card","aria-label":"Payoff matrix"},r,this.#o,this.#d),this.#w(),new ResizeObserver(()=>this.#l()).observe(this.#o),
 this.#o.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),Xa(this.#o,t,()=>this.#s.
 payoff.shape),t.on("run",()=>{let s=ns(...Re(this.#s).ends);this.#d.replaceWith(s),this.#d=s,this.#l()}),t.on("match hover",()=>this.#c())}get#s(){return this.#n[this.#e.
-selected.run]}#l(){let[e,t]=this.#s.payoff.shape,{clientWidth:r,clientHeight:s}=this.#o;if(r<50)return;let a=Math.max(xu,Math.min(r-ce.left-ce.right,s-ce.top-ce.
-bottom))/Math.max(e,t),i=Math.max(ce.left,(r-t*a-ce.right+ce.left)/2),l=ce.top+Math.max(0,(s-ce.top-ce.bottom-e*a)/2),c={width:r,height:s,left:i,top:l,cell:a,rows:e,
-columns:t};this.#f=c,ni(this.#t,this.#s.payoff,{left:i,top:l,width:t*a,height:e*a});for(let[u,h,m]of[["left",i,r],["top",l,s],["width",t*a,r],["height",e*a,s]])
+selected.run]}#l(){let[e,t]=this.#s.payoff.shape,{clientWidth:r,clientHeight:s}=this.#o;if(r<50)return;let a=Math.max(xu,Math.min(r-ue.left-ue.right,s-ue.top-ue.
+bottom))/Math.max(e,t),i=Math.max(ue.left,(r-t*a-ue.right+ue.left)/2),l=ue.top+Math.max(0,(s-ue.top-ue.bottom-e*a)/2),c={width:r,height:s,left:i,top:l,cell:a,rows:e,
+columns:t};this.#y=c,ni(this.#t,this.#s.payoff,{left:i,top:l,width:t*a,height:e*a});for(let[u,h,m]of[["left",i,r],["top",l,s],["width",t*a,r],["height",e*a,s]])
 this.#t.style.setProperty(u,`${100*h/m}%`);this.#o.style.setProperty("--shape",`${r} / ${s}`),this.#r.setAttribute("viewBox",`0 0 ${r} ${s}`),this.#r.replaceChildren(
-Su(c,Re(this.#s).generation),...Au(c),...this.#g(c),this.#i),this.#c()}#a(e){let t=this.#s.findings?.generalization;if(!t)return[];let{selected:r,hover:s}=this.#e,
+Su(c,Re(this.#s).generation),...Au(c),...this.#f(c),this.#a),this.#c()}#i(e){let t=this.#s.findings?.generalization;if(!t)return[];let{selected:r,hover:s}=this.#e,
 o=s.pursuer??r.pursuer,a=s.evader??r.evader,[i,l]=ii(e,t.pursuers.mean[o]??0,o),[c,u]=li(e,t.evaders.mean[a]??0,a);return[M("circle",{class:"dot of-pursuers",cx:i,
-cy:l,r:5}),M("circle",{class:"dot of-evaders",cx:c,cy:u,r:5})]}#g(e){let t=this.#s.findings?.generalization;if(!t)return[];let{left:r,top:s,cell:o,rows:a,columns:i}=e,
+cy:l,r:5}),M("circle",{class:"dot of-evaders",cx:c,cy:u,r:5})]}#f(e){let t=this.#s.findings?.generalization;if(!t)return[];let{left:r,top:s,cell:o,rows:a,columns:i}=e,
 {curves:l}=Re(this.#s),c=r+i*o+xe,u=s-xe,h={class:"side"};return[M("rect",{...h,x:c,y:s,width:It,height:a*o}),M("rect",{...h,x:r,y:u-je,width:i*o,height:je}),...ci(
 t.pursuers,(m,p)=>ii(e,m,p),"of-pursuers"),...ci(t.evaders,(m,p)=>li(e,m,p),"of-evaders"),M("text",{class:"tick",x:c,y:s+a*o+16,"text-anchor":"start"},"0"),M("t\
 ext",{class:"tick",x:c+It,y:s+a*o+16,"text-anchor":"end"},"1"),M("text",{class:"tick",x:r-6,y:u-4,"text-anchor":"end"},"0"),M("text",{class:"tick",x:r-6,y:u-je+
 8,"text-anchor":"end"},"1"),M("text",{class:"label of-pursuers",x:c+It,y:s+a*o+34,"text-anchor":"end"},l.pursuer),M("text",{class:"label of-evaders",x:r+i*o+xe,
-y:u-je+10,"text-anchor":"start"},l.evader)]}#c(){let e=this.#f;if(!e)return;let{selected:t,hover:r}=this.#e,{left:s,top:o,cell:a,rows:i,columns:l}=e,c=y=>o+(i-1-
+y:u-je+10,"text-anchor":"start"},l.evader)]}#c(){let e=this.#y;if(!e)return;let{selected:t,hover:r}=this.#e,{left:s,top:o,cell:a,rows:i,columns:l}=e,c=y=>o+(i-1-
 y)*a,u=[],h=(y,f)=>M("rect",{class:f,x:s,y:c(y),width:l*a+xe+It,height:a}),m=(y,f)=>M("rect",{class:f,x:s+y*a,y:o-xe-je,width:a,height:xe+je+i*a});u.push(h(t.pursuer,
 "strip pursuer"),m(t.evader,"strip evader")),r.pursuer!==null&&r.pursuer<i&&u.push(h(r.pursuer,"strip hover")),r.evader!==null&&r.evader<l&&u.push(m(r.evader,"s\
-trip hover")),u.push(...this.#a(e));let p={x:s+t.evader*a,y:c(t.pursuer),width:a,height:a};u.push(M("rect",{class:"chosen under",...p}),M("rect",{class:"chosen",
-...p})),this.#i.replaceChildren(...u),this.#b()}#b(){let{selected:e,hover:t}=this.#e,r=t.pursuer??e.pursuer,s=t.evader??e.evader,o=Pe(this.#s,r,s);this.#h.replaceChildren(
+trip hover")),u.push(...this.#i(e));let p={x:s+t.evader*a,y:c(t.pursuer),width:a,height:a};u.push(M("rect",{class:"chosen under",...p}),M("rect",{class:"chosen",
+...p})),this.#a.replaceChildren(...u),this.#w()}#w(){let{selected:e,hover:t}=this.#e,r=t.pursuer??e.pursuer,s=t.evader??e.evader,o=Pe(this.#s,r,s);this.#h.replaceChildren(
 d("span",{class:"pursuer"},Dn(te(this.#s,"pursuer",r)))," against ",d("span",{class:"evader"},te(this.#s,"evader",s))),this.#m.textContent=o?q(o.rate,3):"-";let a=o&&
-o.rates.length>1?`, mean of ${o.rates.length} episodes`:"";this.#p.textContent=o?Re(this.#s).score+a:"no episodes were played",this.#y.textContent=this.#w(r,s)}#w(e,t){
+o.rates.length>1?`, mean of ${o.rates.length} episodes`:"";this.#p.textContent=o?Re(this.#s).score+a:"no episodes were played",this.#g.textContent=this.#b(r,s)}#b(e,t){
 let r=this.#s.findings?.generalization;if(!r)return"";let s=(a,i)=>$a(a.mean[i]??null,a.low?.[i]??null,a.high?.[i]??null),{means:o}=Re(this.#s);return`Against a\
-ll: ${o.pursuer} ${s(r.pursuers,e)}, ${o.evader} ${s(r.evaders,t)}`}#v(e){let t=this.#f;if(!t)return null;let r=this.#o.getBoundingClientRect(),s=Math.floor((e.
+ll: ${o.pursuer} ${s(r.pursuers,e)}, ${o.evader} ${s(r.evaders,t)}`}#v(e){let t=this.#y;if(!t)return null;let r=this.#o.getBoundingClientRect(),s=Math.floor((e.
 clientX-r.left-t.left)/t.cell),o=t.rows-1-Math.floor((e.clientY-r.top-t.top)/t.cell),a=o>=0&&o<t.rows,i=s>=0&&s<t.columns;return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&
-i}:null}#u(e){let t=this.#v(e);this.#e.point(t?{pursuer:t.g<0?null:t.g,evader:t.h<0?null:t.h}:{})}#A(e){let t=this.#v(e);if(t){if(t.inside&&oi(this.#f.cell))return this.#S(
-t.g,t.h);this.#e.select({...t.g<0?{}:{pursuer:t.g},...t.h<0?{}:{evader:t.h}}),t.inside&&this.#x()}}#S(e,t){let r=ai(this.#s,e,t,s=>{r.remove(),s&&(this.#e.select(
-s),this.#x())});this.#o.append(r)}#x(){this.#o.dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function Su({left:n,top:e,cell:t,rows:r,columns:s},o){let a=M(
+i}:null}#u(e){let t=this.#v(e);this.#e.point(t?{pursuer:t.g<0?null:t.g,evader:t.h<0?null:t.h}:{})}#S(e){let t=this.#v(e);if(t){if(t.inside&&oi(this.#y.cell))return this.#x(
+t.g,t.h);this.#e.select({...t.g<0?{}:{pursuer:t.g},...t.h<0?{}:{evader:t.h}}),t.inside&&this.#A()}}#x(e,t){let r=ai(this.#s,e,t,s=>{r.remove(),s&&(this.#e.select(
+s),this.#A())});this.#o.append(r)}#A(){this.#o.dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function Su({left:n,top:e,cell:t,rows:r,columns:s},o){let a=M(
 "g",{class:"axes"}),i=e+r*t,l=c=>_t(0,c-1,Math.min(c,c*t/44),!0);for(let c of l(s))a.append(M("text",{class:"tick",x:n+(c+.5)*t,y:i+16,"text-anchor":"middle"},c));
 for(let c of l(r))a.append(M("text",{class:"tick",x:n-7,y:i-(c+.5)*t,"text-anchor":"end","dominant-baseline":"middle"},c));return a.append(M("text",{class:"labe\
 l of-evaders",x:n+s*t/2,y:i+36,"text-anchor":"middle"},o.evader),M("text",{class:"label of-pursuers",transform:`translate(${n-36} ${e+r*t/2}) rotate(-90)`,"text\
@@ -648,22 +648,22 @@ join("L")}Z`})),s.push(M("path",{class:`line ${t}`,d:`M${r(n.mean).join("L")}`})
 let t=this.#e,r=["run","pursuer","evader"].some(s=>s in e&&e[s]!==t[s]);this.#e={...t,...r?{episode:0,seed:null}:{},...e},this.#e.run!==t.run&&this.dispatchEvent(
 new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let t={...ui,...e};t.pursuer===this.#n.pursuer&&t.evader===this.#n.evader||(this.#n=t,this.dispatchEvent(
 new Event("hover")))}on(e,t){for(let r of e.split(" "))this.addEventListener(r,t)}};var Mu=8,Tu=900,hi=1800,Nt=class extends EventTarget{element;player=new Ie(0,{speed:Mu,still:Te()});match=null;agent=null;#e=d("figcaption");#n=d("canvas",{onclick:({
-clientX:e,clientY:t})=>this.#m(e,t)});#t;#r=d("p",{class:"small muted numbers"});#i=d("p",{class:"small",role:"status"});#o=null;#h=!1;constructor(){super(),this.#t=
-new $e(this.#n,{numbers:!1}),this.element=d("figure",{class:"chase"},this.#e,this.#n,this.#r,this.#i),this.player.addEventListener("frame",()=>this.#p()),this.player.
-addEventListener("step",()=>this.#y()),this.player.addEventListener("state",()=>this.over&&this.dispatchEvent(new Event("over")))}get over(){return this.player.
+clientX:e,clientY:t})=>this.#m(e,t)});#t;#r=d("p",{class:"small muted numbers"});#a=d("p",{class:"small",role:"status"});#o=null;#h=!1;constructor(){super(),this.#t=
+new $e(this.#n,{numbers:!1}),this.element=d("figure",{class:"chase"},this.#e,this.#n,this.#r,this.#a),this.player.addEventListener("frame",()=>this.#p()),this.player.
+addEventListener("step",()=>this.#g()),this.player.addEventListener("state",()=>this.over&&this.dispatchEvent(new Event("over")))}get over(){return this.player.
 length>0&&!this.player.playing&&this.player.step===this.player.length}get title(){return this.#e.textContent}get recording(){return this.#o}show(e,t){this.match=
-e,this.#o=tn(e),this.#e.textContent=t,this.#n.ariaLabel=`A match. ${t}`,this.player.jump(0),this.player.length=e.length,this.player.marks=vn(this.#o),this.#y()}choose(e){
+e,this.#o=tn(e),this.#e.textContent=t,this.#n.ariaLabel=`A match. ${t}`,this.player.jump(0),this.player.length=e.length,this.player.marks=vn(this.#o),this.#g()}choose(e){
 this.agent=e,this.#t.look={selected:e,viewers:e===null?[]:[e]},this.dispatchEvent(new Event("agent"))}#m(e,t){this.#h||this.choose(this.#t.agentAt(e,t))}#p(){this.#o&&
-this.#t.show(this.#o,this.player.time)}#y(){let e=this.#o?.moments[this.player.step]?.everCaptured;e&&(this.#r.textContent=`${Array.from(e).filter(Boolean).length}\
+this.#t.show(this.#o,this.player.time)}#g(){let e=this.#o?.moments[this.player.step]?.everCaptured;e&&(this.#r.textContent=`${Array.from(e).filter(Boolean).length}\
  of ${e.length} caught in ${this.player.step} steps`),this.dispatchEvent(new Event("step"))}drawWalls(e){let t=!1,r=!0,s=[0,0],o=([l,c])=>!!this.#o?.obstacles[l*
-this.#o.cols+c],a=(l,c)=>{this.#i.textContent=e(l,c)},i=l=>{let c=this.#t.cellAt(l.clientX,l.clientY);c&&o(c)!==r&&a(c,r)};return this.#n.addEventListener("poin\
+this.#o.cols+c],a=(l,c)=>{this.#a.textContent=e(l,c)},i=l=>{let c=this.#t.cellAt(l.clientX,l.clientY);c&&o(c)!==r&&a(c,r)};return this.#n.addEventListener("poin\
 terdown",l=>{let c=t&&this.#t.cellAt(l.clientX,l.clientY);c&&(this.#n.setPointerCapture(l.pointerId),r=!o(c),i(l))}),this.#n.addEventListener("pointermove",l=>t&&
 l.buttons&&i(l)),this.#n.addEventListener("keydown",l=>{let c={ArrowUp:[-1,0],ArrowDown:[1,0],ArrowLeft:[0,-1],ArrowRight:[0,1]}[l.key];if(!t||!this.#o||!(c||l.
 key===" "))return;l.preventDefault();let u=(p,y)=>Math.min(y-1,Math.max(0,p)),{rows:h,cols:m}=this.#o;c?s=[u(s[0]+c[0],h),u(s[1]+c[1],m)]:a(s,!o(s)),this.#t.look=
 {cursor:s}}),l=>{t=this.#h=l,this.#n.classList.toggle("drawn-on",l),this.#n.tabIndex=l?0:-1,this.#n.setAttribute("role",l?"application":"img"),this.#t.look={cursor:null}}}showWalls(e){
 this.#o&&(this.#o={...this.#o,obstacles:e},this.#p())}},Yn=class{boards;#e;#n=-1/0;#t=0;#r=!Te();constructor(e,...t){this.#e=e,this.boards=t;for(let r of t)r.addEventListener(
-"over",()=>this.#r&&t.every(({over:s})=>s)&&this.#i(Tu))}get runs(){return this.#r}set runs(e){this.#r=e,clearTimeout(this.#t),this.#t=0;for(let{player:t}of this.
-boards)e?t.play():t.pause()}renew(e=!1){e||performance.now()-this.#n>hi?this.#o():this.#t||this.#i(hi)}#i(e){clearTimeout(this.#t),this.#t=setTimeout(()=>this.#o(),
+"over",()=>this.#r&&t.every(({over:s})=>s)&&this.#a(Tu))}get runs(){return this.#r}set runs(e){this.#r=e,clearTimeout(this.#t),this.#t=0;for(let{player:t}of this.
+boards)e?t.play():t.pause()}renew(e=!1){e||performance.now()-this.#n>hi?this.#o():this.#t||this.#a(hi)}#a(e){clearTimeout(this.#t),this.#t=setTimeout(()=>this.#o(),
 e)}#o(){if(clearTimeout(this.#t),this.#t=0,this.#n=performance.now(),this.#e(),this.#r)for(let{player:e}of this.boards)e.play()}};var O=n=>Array.from(n).reduce((e,t)=>e+t,0)/n.length,rs=(n,e)=>e==="pursuer"?n:n[0].map((t,r)=>n.map(s=>1-s[r]));var di=-12676506002282294e14,mi=({hidden:n,mask:e})=>n.map(t=>t+(e?4:0));function Lt(n){let e=[3*n.fov**2,...mi(n),5],t=0;return e.slice(1).map((r,s)=>{let o={at:t,
 inputs:e[s],outputs:r};return t+=(o.inputs+1)*r,o})}function Ee(n){if(n.kind==="rating")return n.inputs.length;let{at:e,inputs:t,outputs:r}=Lt(n).at(-1);return e+
 (t+1)*r}var Ft=(n,e)=>n.kind==="rating"?{...n,genome:e}:{kind:"cells",hidden:mi(n),activation:"relu",sampled:!0,memory:"none",genome:e};function pi(n,e,t){let r=t.
@@ -680,8 +680,8 @@ r[h.at+y*h.outputs+f]=n[c.at+p*c.outputs+f]}for(let p=0;p<m;p++)r[h.at+h.inputs*
 imul(1232336661,e)|0;return t^t>>>16}function ls(n,e,t){let r=n.flatMap(yi);if(e.length){for(;r.length<Ge;)r.push(0);r.push(...e.flatMap(yi))}let s=gi(1135663077,
 2468251765),o=Array.from({length:Ge},(i,l)=>s(r[l]??0));for(let i=0;i<Ge;i++)for(let l=0;l<Ge;l++)i!==l&&(o[l]=vi(o[l],s(o[i])));for(let i of r.slice(Ge))for(let l=0;l<
 Ge;l++)o[l]=vi(o[l],s(i));let a=gi(2337405405,1492356589);return Uint32Array.from({length:t},(i,l)=>a(o[l%Ge]))}function Dt(n,e){let t=ls(n,[],2*e);return BigUint64Array.
-from({length:e},(r,s)=>BigInt(t[2*s])+as*BigInt(t[2*s+1]))}var Kn=(n,e,t)=>Dt([n,e,t],1)[0];var wi=n=>(e,...t)=>new cs(ls([n],[bi[e],...t],3)),cs=class{#e;#n;#t;#r=1;constructor(e){this.#e=e[0],this.#n=e[1],this.#t=e[2];for(let t=0;t<12;t++)this.#i()}#i(){
-let e=this.#e+this.#n+this.#r++|0;return this.#e=this.#n^this.#n>>>9,this.#n=this.#t+(this.#t<<3)|0,this.#t=(this.#t<<21|this.#t>>>11)+e|0,e>>>0}#o(){return(this.#i()+
+from({length:e},(r,s)=>BigInt(t[2*s])+as*BigInt(t[2*s+1]))}var Kn=(n,e,t)=>Dt([n,e,t],1)[0];var wi=n=>(e,...t)=>new cs(ls([n],[bi[e],...t],3)),cs=class{#e;#n;#t;#r=1;constructor(e){this.#e=e[0],this.#n=e[1],this.#t=e[2];for(let t=0;t<12;t++)this.#a()}#a(){
+let e=this.#e+this.#n+this.#r++|0;return this.#e=this.#n^this.#n>>>9,this.#n=this.#t+(this.#t<<3)|0,this.#t=(this.#t<<21|this.#t>>>11)+e|0,e>>>0}#o(){return(this.#a()+
 .5)/2**32}normals(e){let t=new Float32Array(e);for(let r=0;r<e;r+=2){let s=Math.sqrt(-2*Math.log(this.#o())),o=2*Math.PI*this.#o();t[r]=s*Math.cos(o),r+1<e&&(t[r+
 1]=s*Math.sin(o))}return t}integers(e,t){return Int32Array.from({length:t},()=>Math.floor(this.#o()*e))}permutation(e){return this.choice(e,e)}choice(e,t){let r=Int32Array.
 from({length:e},(s,o)=>o);for(let s=0;s<t;s++){let o=s+Math.floor(this.#o()*(e-s));[r[s],r[o]]=[r[o],r[s]]}return r.slice(0,t)}};var N=Math.fround,Eu=5,Cu=256,qn=class{size;sigma;fixed;#e;constructor(e,t,r,s){this.size=e,this.sigma=r,this.fixed=s,this.#e=t.normals((1+Cu)*e);for(let o=0;o<
@@ -690,16 +690,16 @@ fixed?o.map((a,i)=>this.fixed[i]?0:a):o})}},us=class{#e;#n;#t=0;constructor(e){t
 this.#t+=1;let i=N(1-.9),l=N(1-.999),c=N(1-.9**this.#t),u=N(1-.999**this.#t);return e.map((h,m)=>{let p=t[m],y=this.#e[m]+=N(i*N(p-this.#e[m])),f=this.#n[m]+=N(
 l*N(N(p*p)-this.#n[m])),g=N(N(Math.sqrt(N(N(f)/u)))+a);return N(h+N(N(N(r)*N(N(y)/c))/g))})}};function Ou(n){let e=Array.from(n).sort((t,r)=>t-r);return n.map(t=>(e.
 indexOf(t)+e.lastIndexOf(t))/(2*(n.length-1))-.5)}var Jn=class{genome;groups;#e;#n;#t;#r=[];constructor(e,t,r){this.genome=e,this.#n=t,this.#e=r,this.#t=new us(
-e.length),this.groups=Int32Array.from({length:r.population},(s,o)=>o%(r.population/2))}get#i(){let{sigma:e,fixed:t}=this.#n,r=0,s=0;return this.genome.forEach((o,a)=>{
+e.length),this.groups=Int32Array.from({length:r.population},(s,o)=>o%(r.population/2))}get#a(){let{sigma:e,fixed:t}=this.#n,r=0,s=0;return this.genome.forEach((o,a)=>{
 t?.[a]||(r+=o*o,s+=1)}),Math.max(e,this.#e.relative_sigma*Math.sqrt(r/s))}ask(e){let t=this.#e.population/2,r=this.genome.length;this.#r=this.#n.draw(t,e);let s=N(
-this.#i/this.#n.sigma),o=new Float32Array(2*t*r);return this.#r.forEach((a,i)=>{for(let l=0;l<r;l++){let c=N(s*a[l]);o[i*r+l]=this.genome[l]+c,o[(t+i)*r+l]=this.
+this.#a/this.#n.sigma),o=new Float32Array(2*t*r);return this.#r.forEach((a,i)=>{for(let l=0;l<r;l++){let c=N(s*a[l]);o[i*r+l]=this.genome[l]+c,o[(t+i)*r+l]=this.
 genome[l]-c}}),o}tell(e){let t=Ou(e),r=this.#r.length,s=new Float32Array(this.genome.length);this.#r.forEach((o,a)=>{let i=N((t[a]-t[r+a])/(2*r*this.#n.sigma**2));
 for(let l=0;l<s.length;l++)s[l]+=N(i*o[l])}),this.genome=this.#t.moved(this.genome,s,this.#e.learning_rate)}},Ut=class{population;groups;#e;#n;#t=new Float64Array(
-0);#r=0;constructor(e,t,r){this.population=e,this.#n=t,this.#e=r,this.groups=new Int32Array(r.population)}get genome(){return this.#i(this.#r).slice()}#i(e){let{
+0);#r=0;constructor(e,t,r){this.population=e,this.#n=t,this.#e=r,this.groups=new Int32Array(r.population)}get genome(){return this.#a(this.#r).slice()}#a(e){let{
 size:t}=this.#n;return this.population.subarray(e*t,(e+1)*t)}#o(e,t){let r=this.#e.tournament??Eu,s=t.integers(this.#t.length,e*r);return Array.from({length:e},
 (o,a)=>s.subarray(a*r,(a+1)*r).reduce((i,l)=>this.#t[l]>this.#t[i]?l:i))}ask(e){if(!this.#t.length)return this.population;let{size:t}=this.#n,{population:r,elites:s}=this.#e,
 o=r-s,a=this.#o(o,e);this.#o(o,e);let i=Array.from(this.#t.keys()).sort((c,u)=>this.#t[u]-this.#t[c]).slice(0,s),l=new Float32Array(this.population.length);return[
-...i,...a].forEach((c,u)=>l.set(this.#i(c),u*t)),this.#n.draw(o,e).forEach((c,u)=>{let h=(s+u)*t;for(let m=0;m<t;m++)l[h+m]+=c[m]}),this.population=l,l}tell(e){
+...i,...a].forEach((c,u)=>l.set(this.#a(c),u*t)),this.#n.draw(o,e).forEach((c,u)=>{let h=(s+u)*t;for(let m=0;m<t;m++)l[h+m]+=c[m]}),this.population=l,l}tell(e){
 this.#t=e,this.#r=e.indexOf(Math.max(...e))}};function xi(n,e,t,r){let s=n.length,o=Math.max(...n)+1,a=o>1?s/o:1,i=Array.from(n.keys()).sort((h,m)=>n[h]-n[m]),l=[],c=[];for(let h=0;h<e;h++){let m=h%a;m===0&&
 (c=Array.from(r.permutation(s/a)).flatMap(p=>i.slice(p*a,(p+1)*a))),l.push([i,c.map((p,y)=>c[y-y%a+(y%a-m+a)%a])])}let u=h=>i.map(()=>s+h);for(let h=0;h<t[1];h++)
 l.push([i,u(h)]);for(let h=0;h<t[0];h++)l.push([u(h),i]);return{pursuer:Int32Array.from(l.flatMap(([h])=>h)),evader:Int32Array.from(l.flatMap(([,h])=>h)),group:Int32Array.
@@ -710,189 +710,188 @@ subarray(0,m))+hs(n.subarray(m))}if(e<lt)return n.reduce((m,p)=>m+p,0);let t=n.s
 subarray(r).reduce((m,p)=>m+p,s+o+(a+i)+(l+c+(u+h)))}function Ai({inputs:n},e){return(r=>typeof r[0]!="string")(n)?n[e==="pursuer"?0:1]:n}var Ru=.2,Mi=({world:n})=>n.rules.teammate==="REACH"?Ru:0;var Ti=["generation","team","epoch","opponent","fitness_mean","fitness_std","fitness_best","capture_rate","length","pursuer_faults","evader_faults","matches","s\
 teps"],Xn={pursuer:["random","clumsy-fleer"],evader:["random","clumsy-chaser"]},_u=20,Pu=8,$u=-1;function ut({world:n,policy:e},t,r){return e.kind==="rating"?{...e,
 inputs:Ai(e,r)}:{kind:"cells",fov:n.fov,hidden:e.hidden,mask:e.mask==="none"?null:t[r]}}var ct=class{settings;epochs=0;until=1/0;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters={
-pursuer:[],evader:[]};#e;#n;#t;#r={};#i=new Set;#o=0;#h=0;#m=0;constructor(e,t,r,s=wi(t.seed)){this.#e=e,this.settings=t,this.#n=r,this.#t=s;for(let o of T){let a=s(
-"initial",T.indexOf(o)),i=t.learner.kind==="ga"?t.learner.population:1,l=Array.from({length:i},()=>pi(this.shape(o),a,t.policy));this.#y(o,l),this.archive[o].push(
-this.#r[o].genome)}this.#u(...T)}shape(e){return ut(this.settings,this.#n,e)}get finished(){return Math.min(this.archive.pursuer.length,this.archive.evader.length)}*run(){
-this.finished===1&&(yield*this.#A(0));for(let e=this.finished;e<=this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let t of T)
-yield*this.#d(t,e),this.#u(t);else yield*this.#f(e),this.#u(...T);yield*this.#A(e)}}change(e){let t=this.settings,r={pursuer:this.shape("pursuer"),evader:this.shape(
-"evader")},s=l=>JSON.stringify(l(t))===JSON.stringify(l(e));this.settings=e;let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of T){let c=u=>fi(
-u,r[l],this.shape(l));this.archive[l]=this.archive[l].map(c),this.#y(l,this.#p(l).map(c))}if(o&&s(l=>l.world))return null;this.cells.clear(),this.#i.clear();let{
-pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,genomes:{pursuer:a.slice(0,this.finished),evader:i.slice(0,this.finished)}}}#p(e){let t=this.#r[e];
-if(!(t instanceof Ut))return[t.genome];let r=t.genome.length,s=Array.from({length:t.population.length/r},(o,a)=>t.population.slice(a*r,(a+1)*r));return Array.from(
-{length:this.settings.learner.population},(o,a)=>a===0?t.genome:s[a%s.length])}#y(e,t){let{learner:r}=this.settings,s=this.shape(e),o=r.kind==="ga"?r.mutation:r.
-sigma,a=ss(s),i=new qn(Ee(s),this.#t("noise",T.indexOf(e)),o,a?.fixed??null),l=t.map(c=>os(c,a));this.#r[e]=r.kind==="ga"?new Ut(Zn(l),i,r):new Jn(l[0],i,r)}*#d(e,t){
-let r=Iu(e,t,this.#a(e));for(let s=0;s<this.#a(e);s++){for(;this.epochs>=this.until;)yield{type:"rest"};let o=this.archive[de(e)].length,a=this.settings.schedule[`${e}\
-s_meet`],i=a==="latest"?o-1:a==="round-robin"?(r+s)%o:this.#t("opponents",T.indexOf(e),t,s).choice(o,1)[0],l=e==="pursuer"?[t,i]:[i,t],c=this.#r[e],{groups:u}=c,
-h=Dt([this.settings.seed,...l,is[e],s],Math.max(...u)+1),m=c.ask(this.#t("learn",T.indexOf(e),t,s)),p=Int32Array.from(u.keys()),y=new Int32Array(u.length),f={[e]:m,
-[de(e)]:this.archive[de(e)][i]},g={[e]:p,[de(e)]:y},v=this.#c(f,g,BigUint64Array.from(u,x=>h[x])),w=this.#w(v,e);this.#v(v,w,{generation:t,team:e,epoch:s,opponent:i}),
-c.tell(w),yield*this.#g(t,s,e)}this.archive[e].push(this.#r[e].genome)}*#f(e){for(let t=0;t<this.#a("pursuer");t++){for(;this.epochs>=this.until;)yield{type:"re\
-st"};let{schedule:r,learner:{population:s}}=this.settings,[o,a]=r.kind==="hall-of-fame"?[r.hall_sample,r.contemporaries]:[0,1],i={pursuer:this.#s("pursuer",e,t),
-evader:this.#s("evader",e,t)},l=this.#t("opponents",0,e,t),c={pursuer:this.#l(o,l),evader:this.#l(o,l)},u=g=>Zn([i[g],...Array.from(c[de(g)],v=>this.archive[g][v])]),
-h=[c.evader.length,c.pursuer.length],m=xi(this.#r.pursuer.groups,a,h,l),p=Dt([this.settings.seed,e,e,is.both,t],Math.max(...m.group)+1),y={pursuer:u("pursuer"),
-evader:u("evader")},f=this.#c(y,m,BigUint64Array.from(m.group,g=>p[g]));for(let g of T){let v=Si(m[g],m[de(g)],s,this.#w(f,g));this.#v(f,v,{generation:e,team:g,
-epoch:t,opponent:$u}),this.#r[g].tell(v)}yield*this.#g(e,t,"both")}for(let t of T)this.archive[t].push(this.#r[t].genome)}#s(e,t,r){return this.#r[e].ask(this.#t(
-"learn",T.indexOf(e),t,r))}#l(e,t){let r=this.archive.pursuer.length;return e?t.choice(r,Math.min(e,r)):new Int32Array(0)}#a(e){let{schedule:t}=this.settings;return t.
-kind==="hall-of-fame"?t.joint_epochs:t[`${e}_epochs`]}*#g(e,t,r){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#a("pursuer"),0]:[this.#a("pursuer"),
-this.#a("evader")],a=t+1+(r==="evader"?s:0),i=s+o;this.epochs+=1,yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#c(e,t,r){
-let s={...this.settings.world,max_steps:this.settings.train_steps},o=this.#e.rollouts(s,this.#b("pursuer",e.pursuer),this.#b("evader",e.evader),{...t,seed:r},1);
-this.#o+=o.length.length;for(let a of o.length)this.#h+=Number(a);for(let a of o.agent_steps)this.#m+=Number(a);return o}#b(e,t){return Ft(this.shape(e),t)}#w({
-captured_fraction:e,overlap:t},r){let s=Mi(this.settings);return Float64Array.from(e,(o,a)=>r==="pursuer"?o:1-o-s*Number(t[2*a+1]))}#v(e,t,r){let s=O(t),o=[0,0];
-e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),this.rows.push({...r,fitness_mean:s,fitness_std:Math.sqrt(O(t.map(a=>(a-s)**2))),fitness_best:Math.max(
-...t),capture_rate:O(e.capture_rate),length:O(e.length),pursuer_faults:o[0]/e.length.length,evader_faults:o[1]/e.length.length,matches:this.#o,steps:this.#h})}#u(...e){
-for(let t of e)this.counters[t].push({matches:this.#o,steps:this.#h,agent_steps:this.#m})}*#A(e){yield{type:"generation",number:e,genomes:{pursuer:this.archive.
-pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){for(let e=this.finished-1;e>=0;e--){for(let t=e;t>=0;t--)for(let[r,s]of t===e?[[e,e]]:
-[[e,t],[t,e]]){if(this.cells.has(`${r} ${s}`))continue;let o=this.#S(r,s);this.cells.set(`${r} ${s}`,o),yield{type:"cell",cell:o}}this.#i.has(e)||(this.#i.add(e),
-yield{type:"scores",number:e,scores:{pursuer:this.#x("pursuer",e),evader:this.#x("evader",e)}})}}#S(e,t){let{world:r,evaluation_episodes:s,seed:o}=this.settings,
-a={pursuer:new Int32Array(1),evader:new Int32Array(1),seed:BigUint64Array.of(Kn(o,e,t))},i=T.map(u=>this.#b(u,this.archive[u][u==="pursuer"?e:t])),l=this.#e.rollouts(
-r,...i,a,s),c=u=>{let h=Array.from(l[u],Number),m=h.length/s;return Array.from({length:m},(p,y)=>O(h.filter((f,g)=>g%m===y)))};return{pursuer:e,evader:t,capture_rates:Array.
-from(l.capture_rate),lengths:Array.from(l.length),means:{collisions:c("collisions"),faults:c("faults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#x(e,t){
-let{world:r,seed:s}=this.settings,o=this.#b(e,this.archive[e][t]),a=new Int32Array(1);return O(Xn[e].map((i,l)=>{let c=Dt([s,T.indexOf(e),l,Pu],1),u=e==="pursue\
-r"?[o,i]:[i,o],h=O(this.#e.rollouts(r,...u,{pursuer:a,evader:a,seed:c},_u).capture_rate);return e==="pursuer"?h:1-h}))}};function Iu(n,e,t){let r=0;for(let s=1;s<=
-e;s++){let o=n==="pursuer"?s:s+1;r>=o-1&&(r=0),s<e&&(r+=t)}return r}function Zn(n){let e=new Float32Array(n.reduce((r,{length:s})=>r+s,0)),t=0;for(let r of n)e.
-set(r,t),t+=r.length;return e}var ds=n=>Array.from({length:n},()=>Array(n)),Qn=class{learning=T;settings=[];command="";training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds=[];world;payoff;teams;findings=null;genomes={
+pursuer:[],evader:[]};#e;#n;#t;#r={};#a=new Set;#o={pursuer:0,evader:0};#h=0;#m=0;#p=0;constructor(e,t,r,s=wi(t.seed)){this.#e=e,this.settings=t,this.#n=r,this.#t=
+s;for(let o of T){let a=s("initial",T.indexOf(o)),i=t.learner.kind==="ga"?t.learner.population:1,l=Array.from({length:i},()=>pi(this.shape(o),a,t.policy));this.#d(
+o,l),this.archive[o].push(this.#r[o].genome)}this.#S(...T)}shape(e){return ut(this.settings,this.#n,e)}get finished(){return Math.min(this.archive.pursuer.length,
+this.archive.evader.length)}*run(){this.finished===1&&(yield*this.#x(0));for(let e=this.finished;e<=this.settings.schedule.generations;e++){if(this.settings.schedule.
+kind==="alternating")for(let t of T)yield*this.#y(t,e),this.#S(t);else yield*this.#s(e),this.#S(...T);yield*this.#x(e)}}change(e){let t=this.settings,r={pursuer:this.
+shape("pursuer"),evader:this.shape("evader")},s=l=>JSON.stringify(l(t))===JSON.stringify(l(e));this.settings=e;let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.
+learner))for(let l of T){let c=u=>fi(u,r[l],this.shape(l));this.archive[l]=this.archive[l].map(c),this.#d(l,this.#g(l).map(c))}if(o&&s(l=>l.world))return null;this.
+cells.clear(),this.#a.clear();let{pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,genomes:{pursuer:a.slice(0,this.finished),evader:i.slice(0,this.
+finished)}}}#g(e){let t=this.#r[e];if(!(t instanceof Ut))return[t.genome];let r=t.genome.length,s=Array.from({length:t.population.length/r},(o,a)=>t.population.
+slice(a*r,(a+1)*r));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?t.genome:s[a%s.length])}#d(e,t){let{learner:r}=this.settings,s=this.
+shape(e),o=r.kind==="ga"?r.mutation:r.sigma,a=ss(s),i=new qn(Ee(s),this.#t("noise",T.indexOf(e)),o,a?.fixed??null),l=t.map(c=>os(c,a));this.#r[e]=r.kind==="ga"?
+new Ut(Zn(l),i,r):new Jn(l[0],i,r)}*#y(e,t){this.#o[e]>=this.archive[le(e)].length-1&&(this.#o[e]=0);for(let r=0;r<this.#f(e);r++){for(;this.epochs>=this.until;)
+yield{type:"rest"};let s=this.archive[le(e)].length,o=this.settings.schedule[`${e}s_meet`],a=o==="latest"?s-1:o==="round-robin"?this.#o[e]%s:this.#t("opponents",
+T.indexOf(e),t,r).choice(s,1)[0];this.#o[e]++;let i=e==="pursuer"?[t,a]:[a,t],l=this.#r[e],{groups:c}=l,u=Dt([this.settings.seed,...i,is[e],r],Math.max(...c)+1),
+h=l.ask(this.#t("learn",T.indexOf(e),t,r)),m=Int32Array.from(c.keys()),p=new Int32Array(c.length),y={[e]:h,[le(e)]:this.archive[le(e)][a]},f={[e]:m,[le(e)]:p},g=this.#w(
+y,f,BigUint64Array.from(c,w=>u[w])),v=this.#v(g,e);this.#u(g,v,{generation:t,team:e,epoch:r,opponent:a}),l.tell(v),yield*this.#c(t,r,e)}this.archive[e].push(this.#r[e].
+genome)}*#s(e){for(let t=0;t<this.#f("pursuer");t++){for(;this.epochs>=this.until;)yield{type:"rest"};let{schedule:r,learner:{population:s}}=this.settings,[o,a]=r.
+kind==="hall-of-fame"?[r.hall_sample,r.contemporaries]:[0,1],i={pursuer:this.#l("pursuer",e,t),evader:this.#l("evader",e,t)},l=this.#t("opponents",0,e,t),c={pursuer:this.#i(
+o,l),evader:this.#i(o,l)},u=g=>Zn([i[g],...Array.from(c[le(g)],v=>this.archive[g][v])]),h=[c.evader.length,c.pursuer.length],m=xi(this.#r.pursuer.groups,a,h,l),
+p=Dt([this.settings.seed,e,e,is.both,t],Math.max(...m.group)+1),y={pursuer:u("pursuer"),evader:u("evader")},f=this.#w(y,m,BigUint64Array.from(m.group,g=>p[g]));
+for(let g of T){let v=Si(m[g],m[le(g)],s,this.#v(f,g));this.#u(f,v,{generation:e,team:g,epoch:t,opponent:$u}),this.#r[g].tell(v)}yield*this.#c(e,t,"both")}for(let t of T)
+this.archive[t].push(this.#r[t].genome)}#l(e,t,r){return this.#r[e].ask(this.#t("learn",T.indexOf(e),t,r))}#i(e,t){let r=this.archive.pursuer.length;return e?t.
+choice(r,Math.min(e,r)):new Int32Array(0)}#f(e){let{schedule:t}=this.settings;return t.kind==="hall-of-fame"?t.joint_epochs:t[`${e}_epochs`]}*#c(e,t,r){let[s,o]=this.
+settings.schedule.kind==="hall-of-fame"?[this.#f("pursuer"),0]:[this.#f("pursuer"),this.#f("evader")],a=t+1+(r==="evader"?s:0),i=s+o;this.epochs+=1,yield{type:"\
+epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#w(e,t,r){let s={...this.settings.world,max_steps:this.settings.train_steps},
+o=this.#e.rollouts(s,this.#b("pursuer",e.pursuer),this.#b("evader",e.evader),{...t,seed:r},1);this.#h+=o.length.length;for(let a of o.length)this.#m+=Number(a);
+for(let a of o.agent_steps)this.#p+=Number(a);return o}#b(e,t){return Ft(this.shape(e),t)}#v({captured_fraction:e,overlap:t},r){let s=Mi(this.settings);return Float64Array.
+from(e,(o,a)=>r==="pursuer"?o:1-o-s*Number(t[2*a+1]))}#u(e,t,r){let s=O(t),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),this.rows.push({...r,
+fitness_mean:s,fitness_std:Math.sqrt(O(t.map(a=>(a-s)**2))),fitness_best:Math.max(...t),capture_rate:O(e.capture_rate),length:O(e.length),pursuer_faults:o[0]/e.
+length.length,evader_faults:o[1]/e.length.length,matches:this.#h,steps:this.#m})}#S(...e){for(let t of e)this.counters[t].push({matches:this.#h,steps:this.#m,agent_steps:this.#p})}*#x(e){
+yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){for(let e=this.finished-
+1;e>=0;e--){for(let t=e;t>=0;t--)for(let[r,s]of t===e?[[e,e]]:[[e,t],[t,e]]){if(this.cells.has(`${r} ${s}`))continue;let o=this.#A(r,s);this.cells.set(`${r} ${s}`,
+o),yield{type:"cell",cell:o}}this.#a.has(e)||(this.#a.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#T("pursuer",e),evader:this.#T("evader",e)}})}}#A(e,t){
+let{world:r,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),seed:BigUint64Array.of(Kn(o,e,t))},i=T.map(u=>this.#b(
+u,this.archive[u][u==="pursuer"?e:t])),l=this.#e.rollouts(r,...i,a,s),c=u=>{let h=Array.from(l[u],Number),m=h.length/s;return Array.from({length:m},(p,y)=>O(h.filter(
+(f,g)=>g%m===y)))};return{pursuer:e,evader:t,capture_rates:Array.from(l.capture_rate),lengths:Array.from(l.length),means:{collisions:c("collisions"),faults:c("f\
+aults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#T(e,t){let{world:r,seed:s}=this.settings,o=this.#b(e,this.archive[e][t]),a=new Int32Array(1);return O(
+Xn[e].map((i,l)=>{let c=Dt([s,T.indexOf(e),l,Pu],1),u=e==="pursuer"?[o,i]:[i,o],h=O(this.#e.rollouts(r,...u,{pursuer:a,evader:a,seed:c},_u).capture_rate);return e===
+"pursuer"?h:1-h}))}};function Zn(n){let e=new Float32Array(n.reduce((r,{length:s})=>r+s,0)),t=0;for(let r of n)e.set(r,t),t+=r.length;return e}var ds=n=>Array.from({length:n},()=>Array(n)),Qn=class{learning=T;settings=[];command="";training={capture_rate:[],generation:[],learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds=[];world;payoff;teams;findings=null;genomes={
 pursuer:[],evader:[]};best=null;#e;#n;#t;constructor(e,t,r,s){this.#t=e,this.#e=t,this.#n=s,this.name=r,this.schedule=r,this.world=e.world,this.seed=String(e.seed),
-this.payoff=this.#r(),this.teams=this.#i()}get newest(){return this.genomes.pursuer.length-1}#r(){let{seed:e,schedule:{generations:t}}=this.#t,r=t+1;return this.
+this.payoff=this.#r(),this.teams=this.#a()}get newest(){return this.genomes.pursuer.length-1}#r(){let{seed:e,schedule:{generations:t}}=this.#t,r=t+1;return this.
 seeds=Array.from({length:r},(s,o)=>Array.from({length:r},(a,i)=>String(Kn(e,o,i)))),{first:[0,0],shape:[r,r],episodes:this.#t.evaluation_episodes,capture_rate:ds(
-r),capture_rates:ds(r),lengths:ds(r)}}#i(){let e=t=>{let r=`${this.#n} ${t}`;To(r,Zn(this.genomes[t]));let{genome:s,...o}=Ft(ut(this.#t,this.#e,t),this.genomes[t][0]??
+r),capture_rates:ds(r),lengths:ds(r)}}#a(){let e=t=>{let r=`${this.#n} ${t}`;To(r,Zn(this.genomes[t]));let{genome:s,...o}=Ft(ut(this.#t,this.#e,t),this.genomes[t][0]??
 new Float32Array(0));return{script:null,policy:{...o,genome_size:s.length},kept:[...this.genomes[t].keys()],genomes:r}};return{pursuer:e("pursuer"),evader:e("ev\
 ader")}}policy(e,t){return this.playing(e,this.genomes[e][t])}playing(e,t){return Ft(ut(this.#t,this.#e,e),t)}genomesOf({pursuer:e,evader:t}){return{pursuer:this.
 genomes.pursuer[e],evader:this.genomes.evader[t]}}extend(e){let{capture_rate:t,capture_rates:r,lengths:s,shape:[o]}=this.payoff;if(this.#t={...this.#t,schedule:e.
 schedule},!(o>e.schedule.generations)){this.payoff=this.#r();for(let a=0;a<o;a++)Object.assign(this.payoff.capture_rate[a],t[a]),Object.assign(this.payoff.capture_rates[a],
-r[a]),Object.assign(this.payoff.lengths[a],s[a])}}add(e){for(let t of T)this.genomes[t].push(e[t]);this.teams=this.#i()}change(e,t){this.#t=e,this.world=e.world;
-for(let r of T)this.genomes[r]=[...t[r]];this.best=null,this.payoff=this.#r(),this.teams=this.#i(),this.findings=null}addCell({pursuer:e,evader:t,capture_rates:r,
+r[a]),Object.assign(this.payoff.lengths[a],s[a])}}add(e){for(let t of T)this.genomes[t].push(e[t]);this.teams=this.#a()}change(e,t){this.#t=e,this.world=e.world;
+for(let r of T)this.genomes[r]=[...t[r]];this.best=null,this.payoff=this.#r(),this.teams=this.#a(),this.findings=null}addCell({pursuer:e,evader:t,capture_rates:r,
 lengths:s}){this.payoff.capture_rate[e][t]=O(r),this.payoff.capture_rates[e][t]=[...r],this.payoff.lengths[e][t]=[...s],this.findings={generalization:this.#o()}}#o(){
 let e=this.payoff.capture_rate,t=o=>({mean:o,low:null,high:null}),r=o=>{let a=o.filter(i=>i!==void 0);return a.length?O(a):null},s=[...this.genomes.pursuer.keys()];
-return{pursuers:t(s.map(o=>r(e[o]))),evaders:t(s.map(o=>r(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Nu=1/4,Ci=1.96,Ei=.05,ms=5;function Oi(n,e){let t=Array.from({length:e},(h,m)=>Array.from({length:e},(p,y)=>n.get(`${m} ${y}`)?.capture_rates));if(e<2||t.some(
-h=>h.includes(void 0)))return null;let r=t.map(h=>h.map(m=>O(m))),s=t.map(h=>h.map(m=>Fu(m))),o=Math.max(1,Math.round(e*Nu)),a=h=>{let m=rs(r,h),p=h==="pursuer"?
-s:Lu(s),y=[m[0].slice(-o)],f=m.slice(-o).map(b=>b.slice(-o)),g=b=>O(b.map(E=>O(E.slice(-o))/o))/b.length,v={value:O(f.map(O))-O(y.map(O)),reach:Ci*Math.sqrt(g(p.
-slice(-o))+g([p[0]]))},w=Du(m,p),x=Wu(v,w);return{verdict:x==="better"&&!Uu(m.map(O),w.value)?"better by a jump":x,before:O(y[0]),after:O(f.map(O))}},i={pursuer:a(
+return{pursuers:t(s.map(o=>r(e[o]))),evaders:t(s.map(o=>r(e.map(a=>a[o]===void 0?void 0:1-a[o]))))}}};var Iu=1/4,Ci=1.96,Ei=.05,ms=5;function Oi(n,e){let t=Array.from({length:e},(h,m)=>Array.from({length:e},(p,y)=>n.get(`${m} ${y}`)?.capture_rates));if(e<2||t.some(
+h=>h.includes(void 0)))return null;let r=t.map(h=>h.map(m=>O(m))),s=t.map(h=>h.map(m=>Lu(m))),o=Math.max(1,Math.round(e*Iu)),a=h=>{let m=rs(r,h),p=h==="pursuer"?
+s:Nu(s),y=[m[0].slice(-o)],f=m.slice(-o).map(b=>b.slice(-o)),g=b=>O(b.map(E=>O(E.slice(-o))/o))/b.length,v={value:O(f.map(O))-O(y.map(O)),reach:Ci*Math.sqrt(g(p.
+slice(-o))+g([p[0]]))},w=Fu(m,p),x=Uu(v,w);return{verdict:x==="better"&&!Du(m.map(O),w.value)?"better by a jump":x,before:O(y[0]),after:O(f.map(O))}},i={pursuer:a(
 "pursuer"),evader:a("evader")},l=h=>{let m=rs(r,h).map(O);return m.lastIndexOf(Math.max(...m))},c={pursuer:l("pursuer"),evader:l("evader")},u=r[c.pursuer][c.evader];
-return{rate:u,best:c,teams:i,sentence:ju(u,i)}}var Lu=n=>n[0].map((e,t)=>n.map(r=>r[t])),Fu=n=>n.reduce((e,t)=>e+(t-O(n))**2,0)/Math.max(1,n.length-1)/n.length;
-function Du(n,e){let t=n.length-1,r=n.map((i,l)=>l-t/2),s=r.reduce((i,l)=>i+l*l,0),o=r.map(i=>t*i/s),a=e.map(i=>O(i)/i.length);return{value:n.reduce((i,l,c)=>i+
-o[c]*O(l),0),reach:Ci*Math.sqrt(a.reduce((i,l,c)=>i+o[c]**2*l,0))}}function Uu(n,e){let t=n.map(c=>c*Math.sign(e)),r=Math.floor(n.length/ms),s=n.length%ms,o=Array.
+return{rate:u,best:c,teams:i,sentence:Bu(u,i)}}var Nu=n=>n[0].map((e,t)=>n.map(r=>r[t])),Lu=n=>n.reduce((e,t)=>e+(t-O(n))**2,0)/Math.max(1,n.length-1)/n.length;
+function Fu(n,e){let t=n.length-1,r=n.map((i,l)=>l-t/2),s=r.reduce((i,l)=>i+l*l,0),o=r.map(i=>t*i/s),a=e.map(i=>O(i)/i.length);return{value:n.reduce((i,l,c)=>i+
+o[c]*O(l),0),reach:Ci*Math.sqrt(a.reduce((i,l,c)=>i+o[c]**2*l,0))}}function Du(n,e){let t=n.map(c=>c*Math.sign(e)),r=Math.floor(n.length/ms),s=n.length%ms,o=Array.
 from({length:ms},(c,u)=>O(t.slice(u*r+Math.min(u,s),(u+1)*r+Math.min(u+1,s)))),a=Math.max(2,Math.floor(n.length/10)),i=Math.max(...t.slice(a).map((c,u)=>c-t[u])),
-l=Math.max(...o.slice(1).map((c,u)=>o[u]-c));return i<Math.abs(e)/2&&l<Math.abs(e)/4}function Wu(...n){return n.every(({value:e,reach:t})=>e-t>Ei)?"better":n.every(
-({value:e,reach:t})=>e+t<-Ei)?"weaker":"cannot tell"}var Z=n=>`${Math.round(100*n)} %`,Bu={better:"better than in generation 0","better by a jump":"better than \
-in generation 0, most of it in one jump",weaker:"weaker than in generation 0","cannot tell":""};function ju(n,e){let t=`The best pursuers now catch ${Z(n)} of t\
-he best evaders.`,r=T.map(o=>Bu[e[o].verdict]);if(r[0]===r[1])return r[0]?`${t} Both teams are ${r[0]}.`:`${t} Whether a team has become better since generation\
+l=Math.max(...o.slice(1).map((c,u)=>o[u]-c));return i<Math.abs(e)/2&&l<Math.abs(e)/4}function Uu(...n){return n.every(({value:e,reach:t})=>e-t>Ei)?"better":n.every(
+({value:e,reach:t})=>e+t<-Ei)?"weaker":"cannot tell"}var Z=n=>`${Math.round(100*n)} %`,Wu={better:"better than in generation 0","better by a jump":"better than \
+in generation 0, most of it in one jump",weaker:"weaker than in generation 0","cannot tell":""};function Bu(n,e){let t=`The best pursuers now catch ${Z(n)} of t\
+he best evaders.`,r=T.map(o=>Wu[e[o].verdict]);if(r[0]===r[1])return r[0]?`${t} Both teams are ${r[0]}.`:`${t} Whether a team has become better since generation\
  0, this race cannot tell.`;let s=T.map((o,a)=>r[a]?`the ${o}s are ${r[a]}`:`of the ${o}s this race cannot tell`);return`${t} ${s[0][0].toUpperCase()}${s[0].slice(
-1)}; ${s[1]}.`}function ki(n,{before:e,after:t}){let[r,s]=n==="pursuer"?[e,t]:[1-e,1-t];return n==="pursuer"?`Of the last ${de(n)}s, pursuers of generation 0 ca\
-tch ${Z(r)}, the last pursuers ${Z(s)}.`:`The last pursuers catch ${Z(r)} of the evaders of generation 0, and ${Z(s)} of the last evaders.`}var Ri=1/3,Gu=1/10,zu=4,Hu=2,Vu=12,_i=n=>n.length>1?`${n.slice(0,-1).join(", ")} and ${n.at(-1)}`:n[0]??"";function Pi({phrases:n,words:e},t,r){let s=Object.entries(
-r).map(([c,u])=>[c,Math.abs(u)]).sort(([,c],[,u])=>u-c),o=s[0]?.[1]||1/0,a=s.filter(([,c])=>c/o>=Ri).slice(0,zu).map(([c])=>n[c][r[c]>0?1:0]),i=s.filter(([,c])=>c/
-o>=Gu&&c/o<Ri).slice(0,Hu).map(([c])=>n[c][2]),l=_i([...a,...i.length?[`minds ${_i(i)} little`]:[]])||"takes any move that is allowed";return`{A} ${t} ${l}.`.replaceAll(
+1)}; ${s[1]}.`}function ki(n,{before:e,after:t}){let[r,s]=n==="pursuer"?[e,t]:[1-e,1-t];return n==="pursuer"?`Of the last ${le(n)}s, pursuers of generation 0 ca\
+tch ${Z(r)}, the last pursuers ${Z(s)}.`:`The last pursuers catch ${Z(r)} of the evaders of generation 0, and ${Z(s)} of the last evaders.`}var Ri=1/3,ju=1/10,Gu=4,zu=2,Hu=12,_i=n=>n.length>1?`${n.slice(0,-1).join(", ")} and ${n.at(-1)}`:n[0]??"";function Pi({phrases:n,words:e},t,r){let s=Object.entries(
+r).map(([c,u])=>[c,Math.abs(u)]).sort(([,c],[,u])=>u-c),o=s[0]?.[1]||1/0,a=s.filter(([,c])=>c/o>=Ri).slice(0,Gu).map(([c])=>n[c][r[c]>0?1:0]),i=s.filter(([,c])=>c/
+o>=ju&&c/o<Ri).slice(0,zu).map(([c])=>n[c][2]),l=_i([...a,...i.length?[`minds ${_i(i)} little`]:[]])||"takes any move that is allowed";return`{A} ${t} ${l}.`.replaceAll(
 /\{(\w+)\}/g,(c,u)=>e[t][u])}function $i(n,e,t,r){let s=r[t];if(s.kind!=="rating")return{};let{n_pursuers:o,n_evaders:a}=e.config,i=Array.from({length:t==="purs\
-uer"?o:a},(u,h)=>h+(t==="pursuer"?0:o)),l=n.world(e.config),c=s.inputs.map(()=>[]);for(let u=0;u<e.length;u+=Math.max(1,Math.floor(e.length/Vu))){e.seek(l,u,{pursuers:r.
+uer"?o:a},(u,h)=>h+(t==="pursuer"?0:o)),l=n.world(e.config),c=s.inputs.map(()=>[]);for(let u=0;u<e.length;u+=Math.max(1,Math.floor(e.length/Hu))){e.seek(l,u,{pursuers:r.
 pursuer,evaders:r.evader});for(let h of i.filter(m=>e.alive[u*e.n_agents+m])){let{inputs:m,refused:p}=l.rate(s,h);m.forEach((y,f)=>{let g=Array.from(y).filter((v,w)=>!p[w]);
-g.length&&c[f].push(O(g.map(v=>(v-O(g))**2)))})}}return l.free(),Object.fromEntries(s.inputs.map((u,h)=>[u,s.genome[h]*Math.sqrt(c[h].length?O(c[h]):0)]))}var Yu=2,Ku=1.5,er=class{element=d("section",{class:"card weights-card","aria-label":"Weights of named inputs",hidden:!0});#e;#n;#t;#r=d("div",{class:"evolved"});#i=d(
+g.length&&c[f].push(O(g.map(v=>(v-O(g))**2)))})}}return l.free(),Object.fromEntries(s.inputs.map((u,h)=>[u,s.genome[h]*Math.sqrt(c[h].length?O(c[h]):0)]))}var Vu=2,Yu=1.5,er=class{element=d("section",{class:"card weights-card","aria-label":"Weights of named inputs",hidden:!0});#e;#n;#t;#r=d("div",{class:"evolved"});#a=d(
 "p",{class:"numbers",role:"status"});#o=d("button",{type:"button",onclick:()=>this.#l()},"As evolved");#h={pursuer:d("p"),evader:d("p")};#m=null;#p=null;constructor(e,t,r){
 this.#e=e,this.#n=t,this.#t=r,this.element.append(d("h3",{},"What they have learned"),d("p",{class:"small muted"},"An agent takes the move with the largest sum \
-of weight x input. Drag a weight, and see at once what becomes of the team."),d("div",{class:"doings"},this.#o,this.#i),this.#r)}genome(e){return this.#p?.[e]??
-this.#d[e]}get#y(){let{newest:e,best:t}=this.#m;return t??{pursuer:e,evader:e}}get#d(){return this.#m.genomesOf(this.#y)}show(e){e!==this.#m&&(this.#p=null),this.#m=
+of weight x input. Drag a weight, and see at once what becomes of the team."),d("div",{class:"doings"},this.#o,this.#a),this.#r)}genome(e){return this.#p?.[e]??
+this.#d[e]}get#g(){let{newest:e,best:t}=this.#m;return t??{pursuer:e,evader:e}}get#d(){return this.#m.genomesOf(this.#g)}show(e){e!==this.#m&&(this.#p=null),this.#m=
 e;let t=T.flatMap(r=>{let{policy:s}=e.teams[r];return s?.kind==="rating"?[[r,s.inputs]]:[]});this.element.hidden=!t.length||e.newest<1,!this.element.hidden&&(this.#p||
-this.#r.replaceChildren(...t.map(r=>this.#f(...r))),this.#a())}#f(e,t){let r=this.genome(e),s=Math.max(Yu,Ku*Math.max(...r.map(Math.abs)));return d("div",{class:"\
+this.#r.replaceChildren(...t.map(r=>this.#y(...r))),this.#i())}#y(e,t){let r=this.genome(e),s=Math.max(Vu,Yu*Math.max(...r.map(Math.abs)));return d("div",{class:"\
 weights"},d("h4",{class:e},`${e}s`),this.#h[e],...t.flatMap((o,a)=>{let i=d("span",{class:"numbers"},at(r[a])),l=d("input",{type:"range",class:e,min:-s,max:s,step:"\
 any",value:r[a],title:Le[o],"aria-label":`${e}s: ${o}`});return l.addEventListener("input",()=>{i.textContent=at(Number(l.value)),this.#s(e,a,Number(l.value))}),
 [d("span",{title:Le[o]},o.replaceAll("_"," ")),l,i]}))}#s(e,t,r){this.#p??={pursuer:this.genome("pursuer").slice(),evader:this.genome("evader").slice()},this.#p[e][t]=
-r,this.#a(),this.#t()}#l(){this.#p=null,this.show(this.#m),this.#t()}#a(){this.#o.disabled=!this.#p;let e=Z(this.rate(this.#d));this.#i.textContent=this.#p?`You\
+r,this.#i(),this.#t()}#l(){this.#p=null,this.show(this.#m),this.#t()}#i(){this.#o.disabled=!this.#p;let e=Z(this.rate(this.#d));this.#a.textContent=this.#p?`You\
 rs: ${Z(this.rate(this.#p))} are caught; as evolved: ${e}`:`${e} are caught`;let t=this.#m,r={pursuer:t.playing("pursuer",this.genome("pursuer")),evader:t.playing(
 "evader",this.genome("evader"))},s=this.#e.match(t.world,r.pursuer,r.evader,BigInt(t.seed));for(let o of T)this.#h[o].textContent=Pi(this.#n,o,$i(this.#e,s,o,r))}rate({
-pursuer:e,evader:t},r=this.#y,s=this.#m){let o=new Int32Array(1),a={pursuer:o,evader:o,seed:BigUint64Array.of(BigInt(s.seeds[r.pursuer][r.evader]))};return O(this.#e.
-rollouts(s.world,s.playing("pursuer",e),s.playing("evader",t),a,s.payoff.episodes).capture_rate)}};var qu=12,tr=class{#e=null;#n=null;#t=[];#r;constructor(e,t){this.#r=t;try{let r=new Blob([we("script-engine"),`
-`,we(`script-${e}`)],{type:"text/javascript"});this.#n=new Worker(URL.createObjectURL(r)),this.#n.onerror=()=>this.#e||this.#i(),this.#n.onmessage=()=>this.#o(this.#n)}catch{
-this.#i()}}send(e){this.#e?this.#e.postMessage(e):this.#t.push(e)}close(){this.send({type:"stop"}),this.#n?.terminate()}#i(){let{port1:e,port2:t}=new MessageChannel;
+pursuer:e,evader:t},r=this.#g,s=this.#m){let o=new Int32Array(1),a={pursuer:o,evader:o,seed:BigUint64Array.of(BigInt(s.seeds[r.pursuer][r.evader]))};return O(this.#e.
+rollouts(s.world,s.playing("pursuer",e),s.playing("evader",t),a,s.payoff.episodes).capture_rate)}};var Ku=12,tr=class{#e=null;#n=null;#t=[];#r;constructor(e,t){this.#r=t;try{let r=new Blob([we("script-engine"),`
+`,we(`script-${e}`)],{type:"text/javascript"});this.#n=new Worker(URL.createObjectURL(r)),this.#n.onerror=()=>this.#e||this.#a(),this.#n.onmessage=()=>this.#o(this.#n)}catch{
+this.#a()}}send(e){this.#e?this.#e.postMessage(e):this.#t.push(e)}close(){this.send({type:"stop"}),this.#n?.terminate()}#a(){let{port1:e,port2:t}=new MessageChannel;
 ps(t),this.#o(e)}#o(e){this.#e=e,e.onmessage=({data:t})=>t.type!=="ready"&&this.#r(t);for(let t of this.#t.splice(0))e.postMessage(t)}};function ps(n){let e=v=>n.
 postMessage(v),t=Jt(),r=null,s=null,o=null,a=[],i=!1,l=0,c=!1,u=new MessageChannel,h=v=>{let w=r.change(v);e({type:"changed",at:r.epochs,settings:v}),w&&e(w),!s&&
 r.finished<=v.schedule.generations?(s=r.run(),i=!0):i||(o=r.catchUp())},m=()=>{i=!1,o=r.catchUp(),e({type:"stopped",at:r.epochs})},p=()=>{if(i&&s){for(;a.length&&
 a[0].at<=r.epochs;)h(a.shift().settings);let{value:w,done:x}=s.next();return x?(s=null,i=!1,o=r.catchUp(),e({type:"end",at:r.epochs,seconds:l/1e3})):w.type==="r\
-est"?m():e(w),!0}let v=o?.next();return v&&!v.done?e(v.value):o=null,!!o},y=()=>{let v=performance.now(),w=!0;for(;w&&performance.now()<v+qu;)w=p();l+=performance.
+est"?m():e(w),!0}let v=o?.next();return v&&!v.done?e(v.value):o=null,!!o},y=()=>{let v=performance.now(),w=!0;for(;w&&performance.now()<v+Ku;)w=p();l+=performance.
 now()-v,!(!w||c)&&(c=!0,u.port2.postMessage(null))},f=async v=>{if(v.type==="start")r=new ct(await t,v.settings,v.masks),s=r.run(),o=null,a=[...v.plan],i=!0,l=0,
 r.until=v.until,e({type:"began"});else if(r)if(v.type==="change")a=[],r.until=1/0,h(v.settings);else if(v.type==="go")r.until=1/0,i=!0;else if(v.type==="stop")i&&
 m();else{let{settings:w,archive:x,rows:b,cells:E,counters:_,finished:R}=r;e({type:"saved",race:{settings:w,archive:x,rows:b,cells:E,counters:_,finished:R}})}else
 return;y()},g=v=>{Promise.resolve().then(v).catch(w=>{s=o=null,e({type:"failed",message:String(w)})})};u.port1.onmessage=()=>{c=!1,g(y)},n.onmessage=({data:v})=>g(
-()=>f(v)),e({type:"ready"})}var Ju=100,Zu=.3,Xu="By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt.",nr={pursuer:0,evader:0},Ii=0,rr=class extends EventTarget{element;chases;boards;before=new Nt;after=new Nt;settings;state="\
-waiting";done=0;epochs=0;changed=[];seconds=0;outcome=null;kept=null;#e;#n;#t;#r=d("h2",{class:"lane-title"});#i=d("p",{class:"facts numbers"});#o=d("div",{class:"\
+()=>f(v)),e({type:"ready"})}var qu=100,Ju=.3,Zu="By chance: evaders that have not learned to flee run into pursuers that have not learned to hunt.",nr={pursuer:0,evader:0},Ii=0,rr=class extends EventTarget{element;chases;boards;before=new Nt;after=new Nt;settings;state="\
+waiting";done=0;epochs=0;changed=[];seconds=0;outcome=null;kept=null;#e;#n;#t;#r=d("h2",{class:"lane-title"});#a=d("p",{class:"facts numbers"});#o=d("div",{class:"\
 lane-room"});#h=d("section",{class:"card measures"});#m=d("details",{class:"lane-more",hidden:!0},d("summary",{},"More: every generation against every other, sc\
-ores and collisions"),this.#o,this.#h);#p=d("div");#y=new it(()=>{});#d=d("section",{class:"card asked","aria-label":"An agent",hidden:!0},d("button",{type:"but\
-ton",class:"leave",onclick:()=>this.#N(null,null)},"Close"),this.#y.element);#f;#s;#l={pursuer:[],evader:[]};#a=new Map;#g;#c=()=>{};#b=0;#w=!0;#v=!1;#u=0;#A=null;constructor(e,t,r,s){
-super(),this.#e=e,this.#n=t,this.settings=s,this.#t=new tr(r,o=>this.#x(o)),this.chases=new Yn(()=>this.#I(),this.before,this.after),this.before.element.classList.
-add("before"),this.boards=d("div",{class:"pair"},this.before.element,this.after.element),this.#f=new er(t,e,()=>this.#$(!0));for(let o of[this.before,this.after])
+ores and collisions"),this.#o,this.#h);#p=d("div");#g=new it(()=>{});#d=d("section",{class:"card asked","aria-label":"An agent",hidden:!0},d("button",{type:"but\
+ton",class:"leave",onclick:()=>this.#N(null,null)},"Close"),this.#g.element);#y;#s;#l={pursuer:[],evader:[]};#i=new Map;#f;#c=()=>{};#w=0;#b=!0;#v=!1;#u=0;#S=null;constructor(e,t,r,s){
+super(),this.#e=e,this.#n=t,this.settings=s,this.#t=new tr(r,o=>this.#A(o)),this.chases=new Yn(()=>this.#I(),this.before,this.after),this.before.element.classList.
+add("before"),this.boards=d("div",{class:"pair"},this.before.element,this.after.element),this.#y=new er(t,e,()=>this.#$(!0));for(let o of[this.before,this.after])
 o.addEventListener("agent",()=>o.agent!==null&&this.#N(o,o.agent)),o.addEventListener("step",()=>!this.#d.hidden&&o.agent!==null&&this.#L(o));this.element=d("se\
-ction",{class:"lane"},this.#r,this.#i,this.boards,d("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and why it moves."),this.#d,this.#f.
+ction",{class:"lane"},this.#r,this.#a,this.boards,d("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and why it moves."),this.#d,this.#y.
 element,this.#m,this.#p),this.reset(s)}reset(e){this.#t.send({type:"stop"}),this.#O(e),this.state="waiting";let{archive:t}=new ct(this.#n,e,this.#e.masks);this.#s.
-add({pursuer:t.pursuer[0],evader:t.evader[0]}),this.#$(!0),this.#P()}start(e,t=[],r=1/0){this.#O(e),this.state="evolving",this.settings=t.at(-1)?.settings??e,this.#S(
+add({pursuer:t.pursuer[0],evader:t.evader[0]}),this.#$(!0),this.#P()}start(e,t=[],r=1/0){this.#O(e),this.state="evolving",this.settings=t.at(-1)?.settings??e,this.#x(
 {type:"start",settings:e,masks:this.#e.masks,plan:t,until:r}),this.#P()}restore(e,t,r,s){this.#O(t.settings),this.settings=e,this.kept=t;for(let o=0;o<t.finished;o++)
-this.#s.add({pursuer:t.archive.pursuer[o],evader:t.archive.evader[o]});for(let[o,a]of t.cells)this.#s.addCell(a),this.#a.set(o,a);this.#l={pursuer:[...t.scores.
-pursuer],evader:[...t.scores.evader]},this.seconds=t.seconds,this.done=1,this.epochs=r,this.changed.push(...s),this.#M("ended"),this.#T()}stop(){this.#S({type:"\
-stop"})}go(){this.state="evolving",this.#S({type:"go"}),this.#P()}change(e){if(this.state==="waiting")return this.reset(e);this.settings=e,this.#S({type:"change",
-settings:e}),this.#P()}saved(){return this.kept?Promise.resolve(this.kept):new Promise(e=>{this.#A=e,this.#S({type:"save"})})}async keep(){return{...await this.
-saved(),scores:this.#l,seconds:this.seconds}}get newestGeneration(){return this.#s.newest}get champions(){return{pursuer:this.#f.genome("pursuer"),evader:this.#f.
-genome("evader")}}get run(){return this.#s}close(){this.#t.close(),this.chases.runs=!1}#S(e){this.#t.send(e)}#x(e){if(e.type==="began"&&(this.#v=!0),!!this.#v){
-if(e.type==="generation")this.#s.add(e.genomes),this.#$(e.number===0);else if(e.type==="cell"){let{pursuer:t,evader:r}=e.cell;this.#s.addCell(e.cell),this.#w&&t===
-r&&t===this.#s.newest&&this.#g.select({pursuer:t,evader:r}),this.#a.set(`${t} ${r}`,e.cell),(this.state==="stopped"||this.state==="ended")&&this.#M(this.state)}else if(e.
+this.#s.add({pursuer:t.archive.pursuer[o],evader:t.archive.evader[o]});for(let[o,a]of t.cells)this.#s.addCell(a),this.#i.set(o,a);this.#l={pursuer:[...t.scores.
+pursuer],evader:[...t.scores.evader]},this.seconds=t.seconds,this.done=1,this.epochs=r,this.changed.push(...s),this.#M("ended"),this.#E()}stop(){this.#x({type:"\
+stop"})}go(){this.state="evolving",this.#x({type:"go"}),this.#P()}change(e){if(this.state==="waiting")return this.reset(e);this.settings=e,this.#x({type:"change",
+settings:e}),this.#P()}saved(){return this.kept?Promise.resolve(this.kept):new Promise(e=>{this.#S=e,this.#x({type:"save"})})}async keep(){return{...await this.
+saved(),scores:this.#l,seconds:this.seconds}}get newestGeneration(){return this.#s.newest}get champions(){return{pursuer:this.#y.genome("pursuer"),evader:this.#y.
+genome("evader")}}get run(){return this.#s}close(){this.#t.close(),this.chases.runs=!1}#x(e){this.#t.send(e)}#A(e){if(e.type==="began"&&(this.#v=!0),!!this.#v){
+if(e.type==="generation")this.#s.add(e.genomes),this.#$(e.number===0);else if(e.type==="cell"){let{pursuer:t,evader:r}=e.cell;this.#s.addCell(e.cell),this.#b&&t===
+r&&t===this.#s.newest&&this.#f.select({pursuer:t,evader:r}),this.#i.set(`${t} ${r}`,e.cell),(this.state==="stopped"||this.state==="ended")&&this.#M(this.state)}else if(e.
 type==="scores")for(let t of T)this.#l[t][e.number]=e.scores[t];else e.type==="changed"?(this.#s.extend(e.settings),this.changed.push(e.at),this.epochs=e.at,e.settings.
-schedule.generations>this.#s.newest&&this.state==="ended"&&this.#E()):e.type==="anew"?(this.#s.change(e.settings,e.genomes),this.#C(),this.#$(!0)):e.type==="epo\
+schedule.generations>this.#s.newest&&this.state==="ended"&&this.#T()):e.type==="anew"?(this.#s.change(e.settings,e.genomes),this.#C(),this.#$(!0)):e.type==="epo\
 ch"?(this.epochs+=1,this.done=e.done/e.of):e.type==="stopped"?this.#M("stopped"):e.type==="end"?(this.seconds=e.seconds,this.done=1,this.#M("ended")):e.type==="\
-saved"?this.#A?.(e.race):e.type==="failed"&&(this.#i.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#u||(this.#u=setTimeout(()=>requestAnimationFrame(
-()=>this.#T()),Ju))}}#E(){this.state="evolving",this.outcome=null,this.#s.best=null}#M(e){let t=this.outcome;this.state=e,this.outcome=Oi(this.#a,this.#s.newest+
-1),this.#s.best=this.outcome?.best??null,this.outcome&&!t&&this.#$(!0),this.#D()}#T(){this.#u=0,this.#g.dispatchEvent(new Event("run")),this.#c(),this.#P()}#C(){
-this.#a=new Map,this.#l={pursuer:[],evader:[]},this.outcome=null,this.#h.hidden=!0}#O(e){this.settings=e,this.done=0,this.epochs=0,this.changed.splice(0),this.kept=
-null;let t=ln(e);this.#s=new Qn(e,this.#e.masks,t,`race ${Ii}`),Ii+=1,this.#C(),this.#N(null,null),this.#w=!0,this.#v=!1,this.#g=new Vn({run:0,pursuer:0,evader:0,
-episode:0,seed:null});let r=new Hn([this.#s],this.#g);r.element.ariaLabel=`Payoff matrix. ${t}`,this.#p.replaceChildren(this.#k(r)),this.#o.replaceChildren(r.element,
-this.#R())}#k(e){let t=new jn([this.#s],this.#g,null);t.actions.remove();let r=d("dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>t.player.pause()},
-d("button",{type:"button",class:"leave",onclick:()=>r.close()},"Close"),t.element),s=!1;return e.element.addEventListener("play",()=>{let{pursuer:o,evader:a}=this.#g.
-selected;this.#w=!1,this.#s.payoff.capture_rate[o][a]!==void 0&&(r.showModal(),s||t.start(this.#n),s=!0,t.playSoon())}),r}#R(){let e=`${Xn.pursuer.join(", ")} a\
+saved"?this.#S?.(e.race):e.type==="failed"&&(this.#a.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#u||(this.#u=setTimeout(()=>requestAnimationFrame(
+()=>this.#E()),qu))}}#T(){this.state="evolving",this.outcome=null,this.#s.best=null}#M(e){let t=this.outcome;this.state=e,this.outcome=Oi(this.#i,this.#s.newest+
+1),this.#s.best=this.outcome?.best??null,this.outcome&&!t&&this.#$(!0),this.#D()}#E(){this.#u=0,this.#f.dispatchEvent(new Event("run")),this.#c(),this.#P()}#C(){
+this.#i=new Map,this.#l={pursuer:[],evader:[]},this.outcome=null,this.#h.hidden=!0}#O(e){this.settings=e,this.done=0,this.epochs=0,this.changed.splice(0),this.kept=
+null;let t=ln(e);this.#s=new Qn(e,this.#e.masks,t,`race ${Ii}`),Ii+=1,this.#C(),this.#N(null,null),this.#b=!0,this.#v=!1,this.#f=new Vn({run:0,pursuer:0,evader:0,
+episode:0,seed:null});let r=new Hn([this.#s],this.#f);r.element.ariaLabel=`Payoff matrix. ${t}`,this.#p.replaceChildren(this.#k(r)),this.#o.replaceChildren(r.element,
+this.#R())}#k(e){let t=new jn([this.#s],this.#f,null);t.actions.remove();let r=d("dialog",{class:"of-cell-match","aria-label":"Match",onclose:()=>t.player.pause()},
+d("button",{type:"button",class:"leave",onclick:()=>r.close()},"Close"),t.element),s=!1;return e.element.addEventListener("play",()=>{let{pursuer:o,evader:a}=this.#f.
+selected;this.#b=!1,this.#s.payoff.capture_rate[o][a]!==void 0&&(r.showModal(),s||t.start(this.#n),s=!0,t.playSoon())}),r}#R(){let e=`${Xn.pursuer.join(", ")} a\
 nd ${Xn.evader.join(", ")}`,t=Fa(`Scores against scripts, by generation: ${e}`,(s,o)=>this.#_(s,o),()=>{},s=>{let o=Math.min(this.#s.newest,Math.max(0,Math.round(
-s)));this.#g.select({pursuer:o,evader:o})});return this.#c=t.redraw,d("section",{class:"card scores"},d("h3",{},"Against opponents that never change"),d("p",{class:"\
+s)));this.#f.select({pursuer:o,evader:o})});return this.#c=t.redraw,d("section",{class:"card scores"},d("h3",{},"Against opponents that never change"),d("p",{class:"\
 small muted"},"Captures of random walkers and of clumsy fleers; escapes from random walkers and from clumsy chasers."),La(["pursuers","of-pursuers"],["evaders",
 "of-evaders"]),t.element)}#_(e,t){let{generations:r}=this.settings.schedule,o=Ia(e,t,{low:0,high:r,label:"generation",whole:!0},{low:0,high:1,label:"score"});for(let a of T){
-let i=Array.from(this.#l[a],l=>l??null);Na(o,[...i.keys()],i,`of-${a}s`)}return o}#I(){if(this.#s.newest<0)return;let e=BigInt(this.#s.seeds[0][0]),t=this.#b%this.#s.
-payoff.episodes;this.#b+=1;let r=s=>this.#n.match(this.#s.world,...this.#F(s),e,t);this.before.show(r(this.#s.genomesOf(nr)),"Before: generation 0"),this.after.
+let i=Array.from(this.#l[a],l=>l??null);Na(o,[...i.keys()],i,`of-${a}s`)}return o}#I(){if(this.#s.newest<0)return;let e=BigInt(this.#s.seeds[0][0]),t=this.#w%this.#s.
+payoff.episodes;this.#w+=1;let r=s=>this.#n.match(this.#s.world,...this.#F(s),e,t);this.before.show(r(this.#s.genomesOf(nr)),"Before: generation 0"),this.after.
 show(r(this.champions),this.#W());for(let s of[this.before,this.after])s.agent!==null&&this.#L(s,!0)}#W(){let{newest:e,best:t}=this.#s;if(e===0)return"Generatio\
 n 0: nobody has learned anything yet";let{pursuer:r,evader:s}=t??{pursuer:e,evader:e},o=r===s?`generation ${r}`:`pursuers of generation ${r}, evaders of generat\
-ion ${s}`;return t?`After: ${o}`:`Now: ${o}`}#F({pursuer:e,evader:t}){return[this.#s.playing("pursuer",e),this.#s.playing("evader",t)]}#$(e){this.#f.show(this.#s),
-this.chases.renew(e)}#N(e,t){for(let r of[this.before,this.after])r!==e&&r.agent!==null&&r.choose(null);this.#d.hidden=!e,e&&(this.#L(e,!0),this.#y.choose(t))}askNext(){
+ion ${s}`;return t?`After: ${o}`:`Now: ${o}`}#F({pursuer:e,evader:t}){return[this.#s.playing("pursuer",e),this.#s.playing("evader",t)]}#$(e){this.#y.show(this.#s),
+this.chases.renew(e)}#N(e,t){for(let r of[this.before,this.after])r!==e&&r.agent!==null&&r.choose(null);this.#d.hidden=!e,e&&(this.#L(e,!0),this.#g.choose(t))}askNext(){
 let{match:e,player:t,agent:r}=this.after;if(!e)return;let s=e.n_agents,o=(r??-1)+1,i=Array.from({length:s},(l,c)=>(o+c)%s).find(l=>e.alive[t.step*s+l]);i!==void 0&&
-this.after.choose(i)}#L(e,t=!1){if(t){let r=e===this.before,[s,o]=this.#F(r?this.#s.genomesOf(nr):this.champions),a=r?0:this.#s.newest;this.#y.show(this.#n,this.#s,
-e.match,{run:0,pursuer:a,evader:a,episode:0,seed:null},{pursuers:s,evaders:o})}this.#y.at(e.player.step)}#P(){let{newest:e}=this.#s;this.element.dataset.state=this.
-state,this.#r.textContent=ln(this.settings),this.#m.hidden=this.state==="waiting",this.#i.replaceChildren(...this.#B().map(t=>d("span",{},t))),this.element.dataset.
-newest=String(e),this.dispatchEvent(new Event("state"))}#B(){let{newest:e}=this.#s;if(this.outcome)return[this.outcome.sentence];if(e<0)return[];let t=a=>{let i=this.#a.
-get(`${a} ${a}`);return i?O(i.capture_rates):null};if(this.state==="waiting"||e<1){let a=t(0)??this.#f.rate(this.#s.genomesOf(nr),nr),i=`${Z(a)} of the evaders \
-are caught.`;return a>Zu?[i,Xu]:[i]}let r=`Generation ${e} of ${this.settings.schedule.generations}`,s=t(e)??t(e-1),o=t(0);return s===null||o===null?[`${r}.`]:[
+this.after.choose(i)}#L(e,t=!1){if(t){let r=e===this.before,[s,o]=this.#F(r?this.#s.genomesOf(nr):this.champions),a=r?0:this.#s.newest;this.#g.show(this.#n,this.#s,
+e.match,{run:0,pursuer:a,evader:a,episode:0,seed:null},{pursuers:s,evaders:o})}this.#g.at(e.player.step)}#P(){let{newest:e}=this.#s;this.element.dataset.state=this.
+state,this.#r.textContent=ln(this.settings),this.#m.hidden=this.state==="waiting",this.#a.replaceChildren(...this.#B().map(t=>d("span",{},t))),this.element.dataset.
+newest=String(e),this.dispatchEvent(new Event("state"))}#B(){let{newest:e}=this.#s;if(this.outcome)return[this.outcome.sentence];if(e<0)return[];let t=a=>{let i=this.#i.
+get(`${a} ${a}`);return i?O(i.capture_rates):null};if(this.state==="waiting"||e<1){let a=t(0)??this.#y.rate(this.#s.genomesOf(nr),nr),i=`${Z(a)} of the evaders \
+are caught.`;return a>Ju?[i,Zu]:[i]}let r=`Generation ${e} of ${this.settings.schedule.generations}`,s=t(e)??t(e-1),o=t(0);return s===null||o===null?[`${r}.`]:[
 `${r}: the pursuers catch ${Z(s)} of the evaders; those of generation 0 caught ${Z(o)}.`]}#D(){let{outcome:e}=this;if(this.#h.hidden=!e,this.#h.ariaLabel=`What \
-came out. ${ln(this.settings)}`,!e)return;let t=this.#a.get(`${this.#s.newest} ${this.#s.newest}`),r=[["Score against scripts: generation 0",s=>Z(this.#l[s][0]??
-0)],["Score against scripts: newest generation",s=>Z(this.#l[s].at(-1)??0)],["Collisions at fault in 1000 moves of the newest generation",(s,o)=>Qu(t,o).toFixed(
+came out. ${ln(this.settings)}`,!e)return;let t=this.#i.get(`${this.#s.newest} ${this.#s.newest}`),r=[["Score against scripts: generation 0",s=>Z(this.#l[s][0]??
+0)],["Score against scripts: newest generation",s=>Z(this.#l[s].at(-1)??0)],["Collisions at fault in 1000 moves of the newest generation",(s,o)=>Xu(t,o).toFixed(
 1)]];this.#h.replaceChildren(d("h3",{},"In numbers"),...T.map(s=>d("p",{},ki(s,e.teams[s]))),d("table",{class:"numbers"},d("thead",{},d("tr",{},d("td"),...T.map(
 s=>d("th",{scope:"col",class:s},`${s}s`)))),d("tbody",{},...r.map(([s,o])=>d("tr",{},d("th",{scope:"row"},s),...T.map((a,i)=>d("td",{},o(a,i))))))),d("p",{class:"\
-small muted"},"One race proves little: save it, and ",d("code",{},"matrixworld judge")," says what happened on its way, and how surely."))}};function Qu({means:{
-faults:n,agent_steps:e}},t){let r=n.length/T.length;return 1e3*n.slice(t*r,(t+1)*r).reduce((s,o)=>s+o,0)/Math.max(1,e[t])}var Ni=n=>Ue(JSON.stringify(n,null,2)),fs=(n,...e)=>({dtype:"<f8",shape:e,data:Float64Array.from(n)}),eh=n=>Math.sqrt(O(n.map(e=>(e-O(n))**2)));function th({settings:n,
-finished:e}){let t=n.schedule.kind==="alternating"?T.map(r=>[r]):[T];return Array.from({length:e},(r,s)=>(s?t:[T]).map(o=>[s,o])).flat()}function nh({archive:n,
+small muted"},"One race proves little: save it, and ",d("code",{},"matrixworld judge")," says what happened on its way, and how surely."))}};function Xu({means:{
+faults:n,agent_steps:e}},t){let r=n.length/T.length;return 1e3*n.slice(t*r,(t+1)*r).reduce((s,o)=>s+o,0)/Math.max(1,e[t])}var Ni=n=>Ue(JSON.stringify(n,null,2)),fs=(n,...e)=>({dtype:"<f8",shape:e,data:Float64Array.from(n)}),Qu=n=>Math.sqrt(O(n.map(e=>(e-O(n))**2)));function eh({settings:n,
+finished:e}){let t=n.schedule.kind==="alternating"?T.map(r=>[r]):[T];return Array.from({length:e},(r,s)=>(s?t:[T]).map(o=>[s,o])).flat()}function th({archive:n,
 rows:e,counters:t},r,[s,o]){let a=e.filter(c=>c.generation===s&&o.includes(c.team)),i=Ue(a.map(c=>`${[r,...Ti.map(u=>c[u])].join(",")}
 `).join("")),l=c=>({dtype:"<f4",shape:[1,n[c][s].length],data:n[c][s]});return{...Object.fromEntries(o.map(c=>[`${c}s`,l(c)])),log:{dtype:`|S${Math.max(1,i.length)}`,
 shape:[],data:i.length?i:new Uint8Array(1)},...Object.fromEntries(Object.entries(t[o.at(-1)][s]).map(([c,u])=>[c,fs([u])])),...r?{score:fs([O(a.slice(Math.floor(
-a.length/2)).map(c=>c.capture_rate))])}:{}}}function rh(n){let e=n.finished,t=Array.from({length:e*e},(o,a)=>n.cells.get(`${Math.floor(a/e)} ${a%e}`)),r=t[0].lengths.
+a.length/2)).map(c=>c.capture_rate))])}:{}}}function nh(n){let e=n.finished,t=Array.from({length:e*e},(o,a)=>n.cells.get(`${Math.floor(a/e)} ${a%e}`)),r=t[0].lengths.
 length,s=(o,...a)=>fs(t.flatMap(o),e,e,...a);return{scores:{dtype:"<f4",shape:[e,e,r],data:Float32Array.from(t.flatMap(({capture_rates:o})=>o))},mean:s(({capture_rates:o})=>O(
-o)),std:s(({capture_rates:o})=>eh(o)),lengths:{dtype:"<i4",shape:[e,e,r],data:Int32Array.from(t.flatMap(({lengths:o})=>o))},collisions:s(({means:o})=>o.collisions,
+o)),std:s(({capture_rates:o})=>Qu(o)),lengths:{dtype:"<i4",shape:[e,e,r],data:Int32Array.from(t.flatMap(({lengths:o})=>o))},collisions:s(({means:o})=>o.collisions,
 2,3),faults:s(({means:o})=>o.faults,2,3),agent_steps:s(({means:o})=>o.agent_steps,2),pursuer_survivors:s(({means:o})=>o.survivors[0]),evader_survivors:s(({means:o})=>o.
-survivors[1])}}function sh(n,{format:e,version:t,game:r}){let s=n.finished-1,o={...n.settings,schedule:{...n.settings.schedule,generations:s}},a={format:e,matrixworld:t,
-game:r,settings:o,drawn_by:"page"},i=th(n),{matches:l,steps:c,agent_steps:u}=n.counters.evader[s],h={training_matches:l,training_steps:c,training_agent_steps:u},
+survivors[1])}}function rh(n,{format:e,version:t,game:r}){let s=n.finished-1,o={...n.settings,schedule:{...n.settings.schedule,generations:s}},a={format:e,matrixworld:t,
+game:r,settings:o,drawn_by:"page"},i=eh(n),{matches:l,steps:c,agent_steps:u}=n.counters.evader[s],h={training_matches:l,training_steps:c,training_agent_steps:u},
 m={stages:i.length-1,...h,disengagement:[],evaluation_matches:n.finished**2*n.settings.evaluation_episodes};return{"config.json":Ni(a),...Object.fromEntries(i.map(
-(p,y)=>[`stage-${String(y).padStart(4,"0")}.npz`,Rt(nh(n,y,p))])),"payoff.npz":Rt(rh(n)),"summary.json":Ni(m)}}function Li(n,e){let t=n.flatMap(({name:r,race:s})=>Object.
-entries(sh(s,e)).map(([o,a])=>[n.length>1?`${r}/${o}`:o,a]));return on(Object.fromEntries(t))}var ys=n=>n.finished>1&&n.cells.size>=n.finished**2&&T.every(e=>n.
-archive[e].length);function Di(n){let{width:e,height:t}=n[0],{table:r,place:s}=oh(n),o=[...Fi("GIF89a"),...Wt(e),...Wt(t),247,0,0,...r];return o.push(33,255,11,...Fi("NETSCAPE2.0"),
-3,1,0,0,0),n.forEach((a,i)=>{o.push(33,249,4,0,...Wt(i===n.length-1?150:12),0,0),o.push(44,0,0,0,0,...Wt(e),...Wt(t),0,8);let l=ah(Ui(a).map(c=>s[c]));for(let c=0;c<
+(p,y)=>[`stage-${String(y).padStart(4,"0")}.npz`,Rt(th(n,y,p))])),"payoff.npz":Rt(nh(n)),"summary.json":Ni(m)}}function Li(n,e){let t=n.flatMap(({name:r,race:s})=>Object.
+entries(rh(s,e)).map(([o,a])=>[n.length>1?`${r}/${o}`:o,a]));return on(Object.fromEntries(t))}var ys=n=>n.finished>1&&n.cells.size>=n.finished**2&&T.every(e=>n.
+archive[e].length);function Di(n){let{width:e,height:t}=n[0],{table:r,place:s}=sh(n),o=[...Fi("GIF89a"),...Wt(e),...Wt(t),247,0,0,...r];return o.push(33,255,11,...Fi("NETSCAPE2.0"),
+3,1,0,0,0),n.forEach((a,i)=>{o.push(33,249,4,0,...Wt(i===n.length-1?150:12),0,0),o.push(44,0,0,0,0,...Wt(e),...Wt(t),0,8);let l=oh(Ui(a).map(c=>s[c]));for(let c=0;c<
 l.length;c+=255){let u=l.slice(c,c+255);o.push(u.length,...u)}o.push(0)}),Uint8Array.from([...o,59])}var Fi=n=>[...n].map(e=>e.charCodeAt(0)),Wt=n=>[n&255,n>>8];
-function Ui({data:n}){let e=new Uint16Array(n.length/4),t=3;for(let r=0;r<e.length;r++)e[r]=n[4*r]>>t<<10|n[4*r+1]>>t<<5|n[4*r+2]>>t;return e}function oh(n){let e=new Map;
+function Ui({data:n}){let e=new Uint16Array(n.length/4),t=3;for(let r=0;r<e.length;r++)e[r]=n[4*r]>>t<<10|n[4*r+1]>>t<<5|n[4*r+2]>>t;return e}function sh(n){let e=new Map;
 for(let i of n)for(let l of Ui(i))e.set(l,(e.get(l)??0)+1);let t=[...e].sort(([,i],[,l])=>l-i).slice(0,256).map(([i])=>i),r=i=>[i>>10,i>>5&31,i&31],s=(i,l)=>r(i).
 reduce((c,u,h)=>c+(u-r(l)[h])**2,0),o=new Uint8Array(2**15);for(let i of e.keys()){let l=t.indexOf(i);o[i]=l>=0?l:t.reduce((c,u,h)=>s(i,u)<s(i,t[c])?h:c,0)}let a=t.
-flatMap(i=>r(i).map(l=>Math.round(l*255/31)));return{table:[...a,...Array(3*256-a.length).fill(0)],place:o}}function ah(n){let r=[],s=new Map,o=258,a=9,i=0,l=0,
+flatMap(i=>r(i).map(l=>Math.round(l*255/31)));return{table:[...a,...Array(3*256-a.length).fill(0)],place:o}}function oh(n){let r=[],s=new Map,o=258,a=9,i=0,l=0,
 c=h=>{for(i|=h<<l,l+=a;l>=8;l-=8)r.push(i&255),i>>>=8};c(256);let u=n[0];for(let h of n.subarray(1)){let m=s.get(u*256+h);if(m!==void 0){u=m;continue}c(u),o===4096?
-(c(256),s=new Map,o=258,a=9):(s.set(u*256+h,o),o===2**a&&(a+=1),o+=1),u=h}return c(u),c(257),l&&r.push(i&255),r}var ih={...Tn,numbers:!1},lh={side:260,gap:12,head:30},ch={width:1200,height:800,side:520,gap:48},uh=60;function gs(n,e){let t=Object.assign(document.createElement(
+(c(256),s=new Map,o=258,a=9):(s.set(u*256+h,o),o===2**a&&(a+=1),o+=1),u=h}return c(u),c(257),l&&r.push(i&255),r}var ah={...Tn,numbers:!1},ih={side:260,gap:12,head:30},lh={width:1200,height:800,side:520,gap:48},ch=60;function gs(n,e){let t=Object.assign(document.createElement(
 "canvas"),{width:n,height:e});return[t,t.getContext("2d",{willReadFrequently:!0})]}function Wi({recording:n},e,t){let[r,s]=gs(t,t),o=Cn(n.rows,n.cols,!1,t,t,1);
-return En({ctx:s,grid:o,colors:st(document.querySelector("canvas.board"))},n,Math.min(e,n.moments.length-1),ih,1),r}function Bi(n,e){let t=getComputedStyle(document.
+return En({ctx:s,grid:o,colors:st(document.querySelector("canvas.board"))},n,Math.min(e,n.moments.length-1),ah,1),r}function Bi(n,e){let t=getComputedStyle(document.
 body);n.fillStyle=t.backgroundColor,n.fillRect(0,0,n.canvas.width,n.canvas.height),n.fillStyle=t.color,n.font=`${e} ${t.fontFamily}`}function ji(n){let{side:e,gap:t,
-head:r}=lh,s=Math.min(uh,Math.max(...n.map(({recording:i})=>i.moments.length-1))),[o,a]=gs(n.length*e+(n.length+1)*t,r+e+t);return Di(Array.from({length:s+1},(i,l)=>(Bi(
+head:r}=ih,s=Math.min(ch,Math.max(...n.map(({recording:i})=>i.moments.length-1))),[o,a]=gs(n.length*e+(n.length+1)*t,r+e+t);return Di(Array.from({length:s+1},(i,l)=>(Bi(
 a,"600 15px"),n.forEach((c,u)=>{let h=t+u*(e+t);a.fillText(c.title,h,21,e),a.drawImage(Wi(c,l,e),h,r)}),a.getImageData(0,0,o.width,o.height))))}function Gi(n,e){
-let{width:t,height:r,side:s,gap:o}=ch,[a,i]=gs(t,r);return Bi(i,"600 30px"),n.forEach((l,c)=>{let u=o+c*(s+o+16);i.fillText(l.title,u,60,s),i.drawImage(Wi(l,1/0,
+let{width:t,height:r,side:s,gap:o}=lh,[a,i]=gs(t,r);return Bi(i,"600 30px"),n.forEach((l,c)=>{let u=o+c*(s+o+16);i.fillText(l.title,u,60,s),i.drawImage(Wi(l,1/0,
 s),u,80)}),e.forEach((l,c)=>{i.font=i.font.replace(/^\S+ \S+/,c<e.length-2?"500 27px":"400 19px"),i.fillText(l,o,650+37*c,t-2*o)}),new Promise(l=>a.toBlob(c=>l(
 c)))}var ze="matrixworld-evolve",vs=()=>JSON.parse(bs()?.getItem(ze)??"[]");function bs(){try{return sessionStorage}catch{return null}}var zi=vs,sr=({address:n})=>n.
 split(/&?race=/)[0];function Hi(n,e){let t=bs(),r=JSON.stringify(e,(a,i)=>i instanceof Float32Array?{floats:Array.from(i)}:i instanceof Map?{entries:[...i]}:i),
@@ -907,72 +906,72 @@ evader:Yi(s.evader)}:{}};return Object.entries(i).map(([l,c])=>`${l}=${c}`).join
 /^#/,""))],{race:r="",to:s="",then:o="",play:a="",pursuer:i="",evader:l="",...c}=Object.fromEntries(t),u=[],h=Gr(n,c,b=>u.push(b)),m=b=>b===Ji?1/0:/^\d{1,6}$/.test(
 b)?Number(b):NaN,p=b=>b.split(Ne.races).map(m),y=o.split(Ne.changes).filter(Boolean).reduce((b,E)=>{let[_="",...R]=E.split(Ne.parts),k=ws({choice:h,changes:b,watched:[]}),
 A=Object.fromEntries(R.map(F=>F.split(Ne.value))),D=Gr(n,A,F=>u.push(F),k),L=Object.fromEntries(Object.entries(D).filter(([F])=>F in A));return[...b,{change:L,at:p(
-_)}]},[]),f=r||s?p(s):[],g=h.beside?2:1,v=[...y.map(({at:b})=>b),...f.length?[f]:[]].every(b=>b.length===g&&!b.some(Number.isNaN)),w=a?hh(n,h,a,i,l):null;v||u.push(
+_)}]},[]),f=r||s?p(s):[],g=h.beside?2:1,v=[...y.map(({at:b})=>b),...f.length?[f]:[]].every(b=>b.length===g&&!b.some(Number.isNaN)),w=a?uh(n,h,a,i,l):null;v||u.push(
 `to=${s}`),a&&!w&&u.push(`play=${a}`);let x="";return e.length>2*Bt?x="The link is too long, and shows nothing. ":u.length?x=`Something in the link is wrong, an\
 d left out: ${u.slice(0,3).map(E=>E.slice(0,60)).join("; ")}. `:f.length&&r!==qi(n)&&(x="The link is of another version of this page: the race may be another on\
-e. "),{story:{choice:h,changes:v?y:[],watched:v?f:[]},dare:w,problem:x}}function hh(n,e,t,r,s){let o=/^(\d{1,20})\.(\d{1,4})\.(\d{1,3})\.(\d{1,4})\.(\d{1,3})$/.
+e. "),{story:{choice:h,changes:v?y:[],watched:v?f:[]},dare:w,problem:x}}function uh(n,e,t,r,s){let o=/^(\d{1,20})\.(\d{1,4})\.(\d{1,3})\.(\d{1,4})\.(\d{1,3})$/.
 exec(t),a=[Ki(r),Ki(s)];if(!o||!a[0]?.length||!a[1]?.length||Number(o[3])>=e.pursuers+e.evaders)return null;let i=pn(n,e);if(T.some((m,p)=>a[p].length!==Ee(ut(i,
 n.masks,m))))return null;let[l,c,u,h]=o.slice(2).map(Number);return{pursuer:a[0],evader:a[1],seed:String(BigInt.asUintN(64,BigInt(o[1]))),episode:l,seat:c,score:u,
 rate:h}}var Yi=n=>btoa(String.fromCharCode(...new Uint8Array(n.slice().buffer))).replaceAll("+","-").replaceAll("/",".").replaceAll("=","");function Ki(n){if(!/^[\w.-]*$/.
 test(n))return null;try{let e=Uint8Array.from(atob(n.replaceAll("-","+").replaceAll(".","/")),r=>r.charCodeAt(0)),t=e.length%4?null:new Float32Array(e.buffer);return t?.
-every(Number.isFinite)?t:null}catch{return null}}var dh=250,ue=(n,e,t,r="")=>d("button",{type:"button",title:e||null,class:r||null,onclick:t},n),xs=class{#e;#n;lanes=[];#t=d("div",{class:"lanes"});#r=d("div",{
-class:"of-race"});#i=ue("Evolve","",()=>this.#O(),"evolve");#o=d("progress",{max:1,value:0,"aria-label":"Progress of the race"});#h=d("p",{class:"small muted nu\
-mbers",role:"status"});#m=ue("Draw walls","Drag over the board to draw walls, and over walls to remove them",()=>this.#F());#p=ue("Usual walls","Each match draw\
-s its walls anew",()=>this.#I({walls:null}));#y=ue("Pause","",()=>this.#N());#d=ue("Again","Another race, with other luck",()=>this.#I({seed:this.#u.seed+1},!0));#f=ue(
-`${et} more generations`,"",()=>this.#I({generations:this.#u.generations+et}));#s=Zt("Link to this race");#l=d("span",{class:"told small",role:"status"});#a=d("\
-nav",{class:"shelf small","aria-label":"Races of this visit",hidden:!0});#g;#c;#b=[];#w;#v=[];#u;#A=0;#S=!1;#x="";constructor(e,t){this.#e=e,this.#n=t;let{story:r,
-dare:s,problem:o}=Zi(e,ge()?location.hash:"");this.#w=r.choice,this.#v=r.changes.map(({change:a})=>a),this.#u=ws(r),this.#g=Ro(e,(a,i)=>this.#I(a,i)),this.#c=new Fn(
-t,a=>ge()?this.#U(a):null),this.#r.append(d("div",{class:"ending",role:"group","aria-label":"What to do now"},ue("Can you escape them?","Be an evader, against t\
-he best pursuers",()=>this.#$("evader"),"primary largest"),ue("Can you catch them?","Be a pursuer, against the best evaders",()=>this.#$("pursuer")),this.#f,this.#d),
-d("div",{class:"doings",role:"group","aria-label":"What can be done"},this.#y,this.#m,this.#p,ge()&&ue("Link","An address at which this race evolves again, on a\
-ny computer",()=>this.#G()),ue("GIF","Both boards as a film",()=>this.#H()),ue("Picture","Both boards and what came out",()=>{this.#V()}),ue("Save","An archive \
+every(Number.isFinite)?t:null}catch{return null}}var hh=250,he=(n,e,t,r="")=>d("button",{type:"button",title:e||null,class:r||null,onclick:t},n),xs=class{#e;#n;lanes=[];#t=d("div",{class:"lanes"});#r=d("div",{
+class:"of-race"});#a=he("Evolve","",()=>this.#O(),"evolve");#o=d("progress",{max:1,value:0,"aria-label":"Progress of the race"});#h=d("p",{class:"small muted nu\
+mbers",role:"status"});#m=he("Draw walls","Drag over the board to draw walls, and over walls to remove them",()=>this.#F());#p=he("Usual walls","Each match draw\
+s its walls anew",()=>this.#I({walls:null}));#g=he("Pause","",()=>this.#N());#d=he("Again","Another race, with other luck",()=>this.#I({seed:this.#u.seed+1},!0));#y=he(
+`${et} more generations`,"",()=>this.#I({generations:this.#u.generations+et}));#s=Zt("Link to this race");#l=d("span",{class:"told small",role:"status"});#i=d("\
+nav",{class:"shelf small","aria-label":"Races of this visit",hidden:!0});#f;#c;#w=[];#b;#v=[];#u;#S=0;#x=!1;#A="";constructor(e,t){this.#e=e,this.#n=t;let{story:r,
+dare:s,problem:o}=Zi(e,ge()?location.hash:"");this.#b=r.choice,this.#v=r.changes.map(({change:a})=>a),this.#u=ws(r),this.#f=Ro(e,(a,i)=>this.#I(a,i)),this.#c=new Fn(
+t,a=>ge()?this.#U(a):null),this.#r.append(d("div",{class:"ending",role:"group","aria-label":"What to do now"},he("Can you escape them?","Be an evader, against t\
+he best pursuers",()=>this.#$("evader"),"primary largest"),he("Can you catch them?","Be a pursuer, against the best evaders",()=>this.#$("pursuer")),this.#y,this.#d),
+d("div",{class:"doings",role:"group","aria-label":"What can be done"},this.#g,this.#m,this.#p,ge()&&he("Link","An address at which this race evolves again, on a\
+ny computer",()=>this.#G()),he("GIF","Both boards as a film",()=>this.#H()),he("Picture","Both boards and what came out",()=>{this.#V()}),he("Save","An archive \
 that matrixworld judge, explore and replay read",()=>{this.#Y()}),this.#s,this.#l)),document.getElementById("page").replaceWith(Xs("Evolve a chase","Triangles c\
-hase discs. Nobody has told either team how. Press Evolve, and both learn by trial and error, against each other."),d("main",{},d("div",{class:"start"},this.#i,
-d("div",{class:"progress"},this.#o,this.#h)),this.#t,this.#a,this.#g.main,this.#g.more,d("div",{class:"card below"},Qt(),d("p",{class:"small muted"},"The page p\
+hase discs. Nobody has told either team how. Press Evolve, and both learn by trial and error, against each other."),d("main",{},d("div",{class:"start"},this.#a,
+d("div",{class:"progress"},this.#o,this.#h)),this.#t,this.#i,this.#f.main,this.#f.more,d("div",{class:"card below"},Qt(),d("p",{class:"small muted"},"The page p\
 lays and learns with the engine of matrixworld, in this browser; nothing is sent."),d("p",{class:"small muted of-saving"},"A saved race is an archive: ",d("code",
 {},"matrixworld judge"),", ",d("code",{},"explore")," and ",d("code",{},"replay")," read it. Python plays its matches again, and does not continue it."))),d("fo\
-oter",{class:"muted small"},`matrixworld ${e.version}`),this.#c.dialog),this.#C(),this.#l.textContent=o,this.#E(r,s)}#E(e,t){let r=e.watched.length?Vi(jt(this.#e,
-e)):null;if(r?.length===this.lanes.length){this.#x=jt(this.#e,e);for(let[c,u]of this.lanes.entries())u.restore(this.#T(c),r[c],e.watched[c],e.changes.map(({at:h})=>h[c]))}
-let s=()=>{e.watched.length&&!r&&this.#R(e)};if(!t)return s();let o=this.#T(0),a={pursuer:this.lanes[0].run.playing("pursuer",t.pursuer),evader:this.lanes[0].run.
+oter",{class:"muted small"},`matrixworld ${e.version}`),this.#c.dialog),this.#C(),this.#l.textContent=o,this.#T(r,s)}#T(e,t){let r=e.watched.length?Vi(jt(this.#e,
+e)):null;if(r?.length===this.lanes.length){this.#A=jt(this.#e,e);for(let[c,u]of this.lanes.entries())u.restore(this.#E(c),r[c],e.watched[c],e.changes.map(({at:h})=>h[c]))}
+let s=()=>{e.watched.length&&!r&&this.#R(e)};if(!t)return s();let o=this.#E(0),a={pursuer:this.lanes[0].run.playing("pursuer",t.pursuer),evader:this.lanes[0].run.
 playing("evader",t.evader)},i=t.seat<o.world.n_pursuers?"pursuer":"evader",l=[{name:`the best ${i}s`,text:"",policy:()=>a[i]}];this.#c.play(i,{world:o.world,policies:a,
-players:l,seed:o.seed,rate:t.rate,friend:t},t),this.#c.dialog.addEventListener("close",s,{once:!0})}#M(e=this.#u){return[e.schedule,...e.beside?[e.beside]:[]]}#T(e,t=this.#u){
-return pn(this.#e,t,this.#M(t)[e])}#C(){for(let e of this.lanes.splice(0))e.close();for(let[e]of this.#M().entries()){let t=new rr(this.#e,this.#n,"evolve",this.#T(
-e));t.addEventListener("state",()=>this.#P()),this.lanes.push(t)}this.#b=this.lanes.map(e=>e.after.drawWalls(([t,r],s)=>this.#W(t,r,s))),this.#m.ariaPressed="fa\
+players:l,seed:o.seed,rate:t.rate,friend:t},t),this.#c.dialog.addEventListener("close",s,{once:!0})}#M(e=this.#u){return[e.schedule,...e.beside?[e.beside]:[]]}#E(e,t=this.#u){
+return pn(this.#e,t,this.#M(t)[e])}#C(){for(let e of this.lanes.splice(0))e.close();for(let[e]of this.#M().entries()){let t=new rr(this.#e,this.#n,"evolve",this.#E(
+e));t.addEventListener("state",()=>this.#P()),this.lanes.push(t)}this.#w=this.lanes.map(e=>e.after.drawWalls(([t,r],s)=>this.#W(t,r,s))),this.#m.ariaPressed="fa\
 lse",this.#t.dataset.count=String(this.lanes.length),this.#t.replaceChildren(...this.lanes.map(({element:e})=>e)),this.lanes.length>1?this.#t.before(this.#r):this.
-lanes[0].boards.after(this.#r),this.#g.show(this.#u),this.#P()}#O(){let e=this.lanes.map(({state:t})=>t);e.includes("evolving")?this.lanes.forEach(t=>t.stop()):
-e.includes("stopped")?this.lanes.forEach(t=>t.state==="stopped"&&t.go()):this.#k()}#k(){this.#l.textContent="",this.#x="";for(let[e,t]of this.lanes.entries())t.
-start(this.#T(e))}#R({choice:e,changes:t,watched:r}){this.#S=!0;let s=e,o=t.map(({change:a})=>s={...s,...a});for(let[a,i]of this.lanes.entries()){let l=t.map(({
-at:c},u)=>({at:c[a],settings:this.#T(a,o[u])}));i.start(this.#T(a,e),l,r[a])}}get#_(){let e=this.lanes.some(({state:t})=>t==="waiting");return{choice:this.#w,changes:this.#v.
+lanes[0].boards.after(this.#r),this.#f.show(this.#u),this.#P()}#O(){let e=this.lanes.map(({state:t})=>t);e.includes("evolving")?this.lanes.forEach(t=>t.stop()):
+e.includes("stopped")?this.lanes.forEach(t=>t.state==="stopped"&&t.go()):this.#k()}#k(){this.#l.textContent="",this.#A="";for(let[e,t]of this.lanes.entries())t.
+start(this.#E(e))}#R({choice:e,changes:t,watched:r}){this.#x=!0;let s=e,o=t.map(({change:a})=>s={...s,...a});for(let[a,i]of this.lanes.entries()){let l=t.map(({
+at:c},u)=>({at:c[a],settings:this.#E(a,o[u])}));i.start(this.#E(a,e),l,r[a])}}get#_(){let e=this.lanes.some(({state:t})=>t==="waiting");return{choice:this.#b,changes:this.#v.
 map((t,r)=>({change:t,at:this.lanes.map(({changed:s,epochs:o})=>s[r]??o)})),watched:e?[]:this.lanes.map(({state:t,epochs:r})=>t==="evolving"?1/0:r)}}#I=(e,t=!1)=>{
-let r=this.#M().length,s=this.lanes.every(({state:l})=>l==="waiting");this.#S&&!t&&(this.#v=this.#v.slice(0,Math.min(...this.lanes.map(({changed:l})=>l.length))),
-this.#u=this.#v.reduce((l,c)=>({...l,...c}),this.#w)),this.#S=!1;let o={...this.#u,...e},a=o.generations>dn?`A race has at most ${dn} generations here.`:fn(o,this.#e.
-worlds[o.world]);if(this.#g.show(a?this.#u:o),this.#l.textContent=a,a)return;this.#u=o;let i=this.#_;if(t||s){if(this.#w={...o,generations:et},this.#v=[],this.#u=
-this.#w,!s&&ge()&&history.pushState(null,"","#"),this.#M().length!==r&&this.#C(),!s)return this.#k()}else this.#v.push(e);if(this.lanes.some(l=>l.kept))this.#x=
-"",this.#R({...i,changes:[...i.changes,{change:e,at:i.watched}],watched:this.lanes.map(()=>1/0)});else for(let[l,c]of this.lanes.entries())c.change(this.#T(l))};#W(e,t,r){
+let r=this.#M().length,s=this.lanes.every(({state:l})=>l==="waiting");this.#x&&!t&&(this.#v=this.#v.slice(0,Math.min(...this.lanes.map(({changed:l})=>l.length))),
+this.#u=this.#v.reduce((l,c)=>({...l,...c}),this.#b)),this.#x=!1;let o={...this.#u,...e},a=o.generations>dn?`A race has at most ${dn} generations here.`:fn(o,this.#e.
+worlds[o.world]);if(this.#f.show(a?this.#u:o),this.#l.textContent=a,a)return;this.#u=o;let i=this.#_;if(t||s){if(this.#b={...o,generations:et},this.#v=[],this.#u=
+this.#b,!s&&ge()&&history.pushState(null,"","#"),this.#M().length!==r&&this.#C(),!s)return this.#k()}else this.#v.push(e);if(this.lanes.some(l=>l.kept))this.#A=
+"",this.#R({...i,changes:[...i.changes,{change:e,at:i.watched}],watched:this.lanes.map(()=>1/0)});else for(let[l,c]of this.lanes.entries())c.change(this.#E(l))};#W(e,t,r){
 let{settings:{world:{rows:s,cols:o}},after:a}=this.lanes[0],i=Array.from({length:s*o},(m,p)=>p).filter(m=>a.recording.obstacles[m]),l={...this.#u,walls:en(this.#u.
 walls??i,e*o+t,r)},c=fn(l,this.#e.worlds[l.world]);if(c)return c;this.#u=l;let{walls:u}=l,h=Uint8Array.from({length:s*o},(m,p)=>Number(u.includes(p)));for(let m of this.
-lanes)m.after.showWalls(h);return clearTimeout(this.#A),this.#A=setTimeout(()=>this.#I({walls:u}),dh),""}#F(){let e=this.#m.ariaPressed!=="true";this.#m.ariaPressed=
-String(e);for(let t of this.#b)t(e)}#$(e){let{run:t,champions:r,outcome:s}=this.lanes[0],o={pursuer:t.playing("pursuer",r.pursuer),evader:t.playing("evader",r.evader)},
+lanes)m.after.showWalls(h);return clearTimeout(this.#S),this.#S=setTimeout(()=>this.#I({walls:u}),hh),""}#F(){let e=this.#m.ariaPressed!=="true";this.#m.ariaPressed=
+String(e);for(let t of this.#w)t(e)}#$(e){let{run:t,champions:r,outcome:s}=this.lanes[0],o={pursuer:t.playing("pursuer",r.pursuer),evader:t.playing("evader",r.evader)},
 a=Array.from({length:(t.best?.[e]??t.newest)+1},(i,l)=>({name:`generation ${l}`,text:"",policy:()=>t.policy(e,l)}));this.#c.play(e,{world:t.world,policies:o,players:a,
 seed:this.#u.seed,rate:Math.round(100*(s?.rate??0)),friend:null},{seed:String(Ar(this.#n,t.world,e==="evader"?t.world.n_pursuers:0)),episode:0})}#N(){let e=!this.
 lanes[0].chases.runs;for(let{chases:t}of this.lanes)t.runs=e;this.#P()}#L(){let e=this.lanes.map(({state:t})=>t);return e.every(t=>t==="waiting")?"waiting":e.includes(
-"evolving")?"evolving":e.includes("stopped")?"stopped":"ended"}#P(){if(!this.lanes.length)return;let e=this.#L();document.body.dataset.state=e,this.#i.textContent=
-{waiting:"Evolve",evolving:"Stop",stopped:"Go on",ended:""}[e],this.#i.hidden=e==="ended",this.#y.textContent=this.lanes[0].chases.runs?"Pause":"Play",this.#p.hidden=
+"evolving")?"evolving":e.includes("stopped")?"stopped":"ended"}#P(){if(!this.lanes.length)return;let e=this.#L();document.body.dataset.state=e,this.#a.textContent=
+{waiting:"Evolve",evolving:"Stop",stopped:"Go on",ended:""}[e],this.#a.hidden=e==="ended",this.#g.textContent=this.lanes[0].chases.runs?"Pause":"Play",this.#p.hidden=
 !this.#u.walls,this.#d.textContent=`Again, with seed ${this.#u.seed+1}`,this.#o.value=Math.min(...this.lanes.map(({done:a})=>a));let t=Math.max(...this.lanes.map(
 a=>a.seconds)),{seed:r}=this.#u,s=this.lanes.map(a=>a.newestGeneration).join(" and ");this.#h.textContent={waiting:"",evolving:`Seed ${r}: generation ${s}`,stopped:`\
 Seed ${r}: stopped at generation ${s}.`,ended:`Seed ${r}: ${s} generations in ${t.toFixed(1)} seconds.`}[e];let o=jt(this.#e,this.#_);this.#s.hidden=this.#s.value!==
-this.#U(),ge()&&o.length<=Bt&&location.hash.slice(1)!==o&&history.replaceState(null,"",`#${o}`),(e==="ended"||e==="stopped")&&(this.#S=!1),e==="ended"&&this.lanes.
-every(({outcome:a})=>a)&&this.#B(o),this.#D()}async#B(e){if(this.#x===e||!ge())return;this.#x=e;let t=`${this.#u.world}, seed ${this.#u.seed}: ${Z(this.lanes[0].
-outcome.rate)} are caught`,r=await Promise.all(this.lanes.map(s=>s.keep()));this.#x!==e||!r.every(ys)||(Hi({address:e,title:t},r),this.#D())}#D(){let e=ge()?zi().
-filter(({address:r})=>r!==location.hash.slice(1)):[],t=e.map(({address:r})=>r).join(" ");this.#a.dataset.shown!==t&&(this.#a.dataset.shown=t,this.#a.hidden=!e.length,
-this.#a.replaceChildren("Races before: ",...e.map(({address:r,title:s})=>d("a",{href:`#${r}`},s))))}#U(e){let t=jt(this.#e,this.#_,e);return t.length>Bt?null:`${location.
+this.#U(),ge()&&o.length<=Bt&&location.hash.slice(1)!==o&&history.replaceState(null,"",`#${o}`),(e==="ended"||e==="stopped")&&(this.#x=!1),e==="ended"&&this.lanes.
+every(({outcome:a})=>a)&&this.#B(o),this.#D()}async#B(e){if(this.#A===e||!ge())return;this.#A=e;let t=`${this.#u.world}, seed ${this.#u.seed}: ${Z(this.lanes[0].
+outcome.rate)} are caught`,r=await Promise.all(this.lanes.map(s=>s.keep()));this.#A!==e||!r.every(ys)||(Hi({address:e,title:t},r),this.#D())}#D(){let e=ge()?zi().
+filter(({address:r})=>r!==location.hash.slice(1)):[],t=e.map(({address:r})=>r).join(" ");this.#i.dataset.shown!==t&&(this.#i.dataset.shown=t,this.#i.hidden=!e.length,
+this.#i.replaceChildren("Races before: ",...e.map(({address:r,title:s})=>d("a",{href:`#${r}`},s))))}#U(e){let t=jt(this.#e,this.#_,e);return t.length>Bt?null:`${location.
 href.split("#")[0]}#${t}`}#G(){let e=this.#U();e?Xt(this.#s,e):this.#l.textContent="This race has too many changes for a link: save it."}get#z(){let e=this.#U()??
 location.href;return location.protocol==="file:"?e.slice(e.split("#")[0].lastIndexOf("/")+1):e}get#j(){let{before:e,after:t}=this.lanes[0];return[e,t].filter(({
 recording:r})=>r).map(r=>({title:r.title.split(":")[0],recording:r.recording}))}#H(){Xe(`chase-seed-${this.#u.seed}.gif`,ji(this.#j))}async#V(){let{outcome:e,settings:t}=this.
 lanes[0],r=[...e?.sentence.split(new RegExp("(?<=\\.) "))??[`Generation ${this.lanes[0].newestGeneration}`],`${this.#u.world}, seed ${t.seed}, ${t.schedule.generations}\
  generations of pursuers and evaders that learn against each other`,this.#z];Xe(`chase-seed-${this.#u.seed}.png`,await Gi(this.#j,r))}async#Y(){let e=await Promise.
 all(this.lanes.map(async r=>({name:an(r.settings),race:await r.saved()})));if(!e.every(({race:r})=>ys(r))){this.#l.textContent="Wait for the next generation, an\
-d save then.";return}let t=`${e.map(r=>r.name).join("-and-")}-seed-${this.#u.seed}.zip`;Xe(t,Li(e,this.#e)),this.#l.textContent=`Saved as ${t}.`}};async function mh(){
+d save then.";return}let t=`${e.map(r=>r.name).join("-and-")}-seed-${this.#u.seed}.zip`;Xe(t,Li(e,this.#e)),this.#l.textContent=`Saved as ${t}.`}};async function dh(){
 let n=new xs(Co(),await Jt());document.addEventListener("keydown",({key:e,target:t,ctrlKey:r,metaKey:s,altKey:o})=>{t instanceof HTMLInputElement||t instanceof HTMLSelectElement||
 document.querySelector("dialog[open]")||r||s||o||(e.toLowerCase()==="d"?vr():e.toLowerCase()==="a"&&n.lanes[0].askNext())}),window.addEventListener("hashchange",
-()=>location.reload()),Object.assign(window,{matrixworldEvolve:n})}typeof document>"u"?ps(globalThis):qs(mh());})();
+()=>location.reload()),Object.assign(window,{matrixworldEvolve:n})}typeof document>"u"?ps(globalThis):qs(dh());})();

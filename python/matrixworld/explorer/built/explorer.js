@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 3b56cb88f1bf1f723d17d833b7c1764917688f145758648dde1297fe53ca2613 */
+/* built from web/ by "npm run build"; sources 2691c4b684fc8255f7fa8be374df2d730627c6ae3197b6ed4b18c130dca317ed */
 "use strict";(()=>{var vr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},rt={DISAPPEAR:0,REACH:1,BOUNCE:2},wr={OCCUPATION:0,SURROUND:1},xr={FAULT:0,INVOLVED:1};var Sn=["obstacle","teammate","adversary"],Mn=["vertex","edge","chain"],Sr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Tn=["p\
 ursuer_{number}","evader_{number}"],Mr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ot={"both held":"both bounce","both doomed":"\
