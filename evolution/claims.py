@@ -1,0 +1,327 @@
+"""Numbers in texts: each one that a run measured is a claim, and follows from a kept table.
+
+    python evolution/claims.py              compares all texts with the tables
+    python evolution/claims.py --write      writes the digits of the tables into the texts
+    python evolution/claims.py README.md    tells the claims of a text: value, unit, setting
+
+A text names the claim after its digits, in a comment that no reader of the page sees:
+
+    captures 0.580 [0.555, 0.604]<!--one_team.crowd--> of the evaders
+
+The claim `crowd` stands in ``results/one_team/claims.toml``:
+
+    setting = "SB, 40 x 40 cells, evaders that move at random, 20 episodes of five teams"
+    unit = "share of evaders captured in the last step"
+
+    [crowd]
+    says = "{:.3f} [{:.3f}, {:.3f}]"
+    value = "cell('1024 v 256', 'learned, SB')"
+
+`says` is a format of `str.format`, and `value` a Python expression for its numbers. It knows
+`numbers`, what ``numbers.npz`` or ``numbers.json`` beside it holds; `load(name)`, another file
+there; `cell(row, column)`, the numbers of a cell of ``table.md`` (`Folder.cell`); `script`, the
+module that made the folder; and `np`. `setting` and `unit` may stand once, above all claims.
+
+Decimal fractions, percentages and "3 of 5" in a text need a claim. Those in code, in links and of
+levels (95 %) need none. Others that no run measured say so after their sentence: `<!--set-->` if
+somebody chose them, `<!--cited: SOURCE-->` if they are another's result.
+
+A table in a text is a claim, too, whose value is the text of the table:
+
+    <!--table: suite.worlds-->
+    | ...
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import json
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache, cached_property
+from importlib import import_module
+from pathlib import Path
+from string import Formatter
+from typing import Any
+
+import numpy as np
+
+from matrixworld._util.files import load_toml, replacing
+
+ROOT = Path(__file__).parents[1]
+sys.path += [str(ROOT / "evolution"), str(ROOT / "evolution" / "validation")]
+FOLDERS = {
+    **{path.parent.name: path.parent for path in ROOT.glob("evolution/results/**/claims.toml")},
+    "course": ROOT / "tutorials/course/data",
+    "benchmarks": ROOT / "benchmarks",
+}
+"""By the name that claims begin with, the folder of their ``claims.toml``."""
+TEXTS = (
+    "README.md", "docs/*.md", "docs/lesson.toml", "evolution/results/**/README.md",
+    "tutorials/README.md", "tutorials/*.ipynb",
+)  # fmt: skip
+"""Texts whose measured numbers are claims."""
+
+NUMBER = r"[-+]?(?:\d[\d,]*(?:\.\d+)?|\.\d+)"
+MEASURED = re.compile(
+    r"(?<![\w.,/-])[-+]?(?:\d[\d,]*)?\.\d+(?!\w|\.\d)"  # a decimal fraction
+    r"|(?<![\w.])[-+]?[\d.]+ ?%"
+    r"|(?<![\w.])\d+ (?:of|in) (?:the )?\d+\b"
+)
+"""Numbers that look as if a run had measured them."""
+FREE = re.compile(
+    r"```.*?```|`[^`\n]*`|\]\([^)]*\)|<[^>]*>|https?://\S+"  # code, links, comments
+    r"|\b(?:arXiv|doi):\S+|\b(?:Python|version|notebook|exercise|section) \d+\.\w+"
+    r"|\b9[59] ?%",
+    re.DOTALL | re.IGNORECASE,
+)
+"""Passages that hold no measured numbers."""
+MARK = re.compile(r"<!--(?:(?P<name>\w+\.\w+)|(?P<free>set|cited: [^>]+))-->")
+TABLE = re.compile(r"^<!--table: (?P<name>\w+\.\w+)-->\n(?P<table>(?:\|.*\n)*)", re.MULTILINE)
+SENTENCE = re.compile(r"[.:;]\s|\|\s|\n\s*\n|\n\s*[-*] ")
+"""Ends of a sentence, a cell, a paragraph or an item."""
+
+
+@dataclass(frozen=True)
+class Folder:
+    """The kept numbers of a result."""
+
+    path: Path
+
+    def load(self, name: str) -> Any:
+        """Return what a file of the folder holds: arrays, plain values, or rows of a table."""
+        path = self.path / name
+        if path.suffix == ".npz":
+            return dict(np.load(path))
+        if path.suffix == ".csv":
+            with path.open(newline="", encoding="utf-8") as file:
+                return [*csv.DictReader(file)]
+        text = path.read_text(encoding="utf-8")
+        return json.loads(text) if path.suffix == ".json" else text
+
+    @cached_property
+    def numbers(self) -> Any:
+        """What ``numbers.npz`` or ``numbers.json`` holds."""
+        return self.load("numbers.npz" if (self.path / "numbers.npz").exists() else "numbers.json")
+
+    @cached_property
+    def script(self) -> Any:
+        """The script of the same name."""
+        return import_module(self.path.name)
+
+    def cell(self, row: str, column: str, under: str = "", file: str = "table.md") -> list[float]:
+        """Return the numbers of the one cell with this head and these first cells of its row.
+
+        First cells are joined by a semicolon, `'open; learned; still'`. `under` is part of what
+        stands above the table, where several have such a cell.
+        """
+        found = [
+            cells[head.index(column)]
+            for above, head, rows in tables(self.load(file))
+            if under in above and column in head
+            for cells in rows
+            if "; ".join(cells).startswith(row) and cells[: row.count("; ") + 1] == row.split("; ")
+        ]
+        if len(found) != 1:
+            raise ValueError(
+                f"expected one cell in row {row!r} and column {column!r} of {self.path.name}/{file}"
+                f"{f' under {under!r}' if under else ''}, found {len(found)}"
+            )
+        return [float(each.replace(",", "")) for each in re.findall(NUMBER, found[0])]
+
+
+def tables(text: str) -> Iterator[tuple[str, list[str], list[list[str]]]]:
+    """Yield the tables of a text in Markdown: what stands above, the heads, the rows."""
+    heading = paragraph = ""
+    for block in re.split(r"\n\s*\n", text):
+        lines = block.strip().split("\n")
+        at = next((place for place, line in enumerate(lines) if line.startswith("|")), None)
+        if at is None:
+            heading = block if block.startswith("#") else heading
+            paragraph = block
+            continue
+        above = "\n".join([heading, paragraph, *lines[:at]])
+        rows = [
+            [cell.strip().replace("**", "") for cell in line.strip().strip("|").split("|")]
+            for line in lines[at:]
+        ]
+        yield above, rows[0], rows[2:]
+
+
+@dataclass(frozen=True)
+class Claim:
+    """Digits that follow from kept numbers."""
+
+    folder: Folder
+    value: str
+    says: str = "{}"
+    unit: str = ""
+    setting: str = ""
+
+    @cached_property
+    def text(self) -> str:
+        """The digits, as a text has to write them."""
+        names = {"np": np, "load": self.folder.load, "cell": self.folder.cell}
+        for name in ("numbers", "script"):
+            if re.search(rf"\b{name}\b", self.value):
+                names[name] = getattr(self.folder, name)
+        return self.says.format(*flat(eval(self.value, names)))
+
+    @cached_property
+    def pattern(self) -> re.Pattern[str]:
+        """What stands before the name of this claim, with any digits."""
+        parts = []
+        for literal, field, *_ in Formatter().parse(self.says):
+            parts.append(re.sub(r"(?:\\?\s)+", r"\\s+", re.escape(literal)))
+            parts.append("" if field is None else NUMBER)
+        return re.compile(rf"(?<![\w.,])(?:{''.join(parts)})\Z")
+
+
+def flat(value: Any) -> list[Any]:
+    """Return the plain values of an array, of a number, or of a sequence of such."""
+    if isinstance(value, list | tuple):
+        return [each for part in value for each in flat(part)]
+    return np.ravel(value).tolist()
+
+
+@cache
+def claims() -> dict[str, Claim]:
+    """Return all claims by ``folder.claim``.
+
+    Raises
+    ------
+    ValueError
+        if a claim has no unit or no setting.
+    """
+    found = {}
+    for folder, path in FOLDERS.items():
+        file, of_folder = path / "claims.toml", Folder(path)
+        if not file.exists():
+            continue
+        read = load_toml(file)
+        shared = {name: each for name, each in read.items() if isinstance(each, str)}
+        for name, each in read.items():
+            if isinstance(each, dict):
+                claim = Claim(of_folder, **(shared | each))
+                if not (claim.unit and claim.setting):
+                    raise ValueError(f"expected unit and setting of {folder}.{name} in {file}")
+                found[f"{folder}.{name}"] = claim
+    return found
+
+
+def texts() -> list[Path]:
+    """Return the texts whose measured numbers are claims."""
+    return sorted(path for pattern in TEXTS for path in ROOT.glob(pattern))
+
+
+def said(text: str) -> Iterator[tuple[re.Match[str], Claim, re.Match[str]]]:
+    """Yield each name of a claim in a text, the claim, and the digits before the name.
+
+    Raises
+    ------
+    ValueError
+        if there is no such claim, or other words than those of `says` stand before its name.
+    """
+    for mark in MARK.finditer(text):
+        if mark["name"] is None:
+            continue
+        if mark["name"] not in claims():
+            raise ValueError(f"expected the name of a claim, got {mark['name']}")
+        claim = claims()[mark["name"]]
+        digits = claim.pattern.search(text, max(0, mark.start() - 200), mark.start())
+        if digits is None:
+            before = text[max(0, mark.start() - 40) : mark.start()]
+            raise ValueError(f"expected {claim.says!r} before {mark['name']}, got {before!r}")
+        yield mark, claim, digits
+
+
+def written(text: str) -> str:
+    """Return a text with the digits and tables of its claims."""
+    parts, end = [], 0
+    for mark, claim, digits in said(text):
+        same = re.sub(r"\s+", " ", digits[0]) == claim.text
+        parts += [text[end : digits.start()], digits[0] if same else claim.text]
+        end = mark.start()
+    text = "".join([*parts, text[end:]])
+    return TABLE.sub(
+        lambda found: found[0].removesuffix(found["table"]) + claims()[found["name"]].text.strip()
+        + "\n",
+        text,
+    )  # fmt: skip
+
+
+def unclaimed(text: str) -> list[str]:
+    """Return numbers in a text that look measured and have no claim, each with what is around."""
+    blank = bytearray(len(text))  # 1 where a number needs no claim
+
+    def free(start: int, end: int) -> None:
+        blank[start:end] = b"\1" * (end - start)
+
+    for found in (*FREE.finditer(text), *TABLE.finditer(text)):
+        free(*found.span())
+    for _, _, digits in said(text):
+        free(*digits.span())
+    for mark in MARK.finditer(text):
+        if mark["free"]:
+            ends = [0, *(each.end() for each in SENTENCE.finditer(text, 0, mark.start()))]
+            free(ends[-1], mark.start())
+    return [
+        re.sub(r"\s+", " ", text[max(0, found.start() - 40) : found.end() + 20])
+        for found in MEASURED.finditer(text)
+        if not blank[found.start()]
+    ]
+
+
+def passages(path: Path) -> list[str]:
+    """Return what people read in a text: a page, the cells of a notebook, texts of the lesson."""
+    text = path.read_text(encoding="utf-8")
+    if path.suffix == ".ipynb":
+        cells = json.loads(text)["cells"]
+        return ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+    return [*strings(load_toml(path))] if path.suffix == ".toml" else [text]
+
+
+def strings(value: Any) -> Iterator[str]:
+    """Yield all texts inside of a plain value."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict | list):
+        for each in value.values() if isinstance(value, dict) else value:
+            yield from strings(each)
+
+
+def main() -> None:
+    """Compare texts with tables, write the digits of tables into texts, or tell claims."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
+    parser.add_argument("texts", nargs="*", type=Path, help="tell the claims of these texts")
+    parser.add_argument("--write", action="store_true", help="write the digits into all texts")
+    args = parser.parse_args()
+    for path in args.texts:
+        for mark, claim, _ in said(path.read_text(encoding="utf-8")):
+            print(f"{mark['name']}: {claim.text} ({claim.unit}; {claim.setting})")
+    if args.texts:
+        return
+    wrong = 0
+    for path in texts():
+        name, text = path.relative_to(ROOT), path.read_text(encoding="utf-8")
+        try:
+            told = written(text)
+        except ValueError as error:
+            raise SystemExit(f"Error: {name}: {error}") from None
+        if told != text and args.write:
+            with replacing(path) as file:
+                file.write(told.encode())
+        wrong += told != text and not args.write
+        missing = [each for passage in passages(path) for each in unclaimed(passage)]
+        wrong += len(missing)
+        state = "" if told == text else "written" if args.write else "digits differ from tables"
+        print(*filter(None, [f"{name}: {len(missing)} without a claim", state]), sep="; ")
+        print(*(f"    ... {each}" for each in missing), sep="\n", end="\n" if missing else "")
+    sys.exit(bool(wrong))
+
+
+if __name__ == "__main__":
+    main()
