@@ -168,7 +168,7 @@ class Claim:
         for name in ("numbers", "script"):
             if re.search(rf"\b{name}\b", self.value):
                 names[name] = getattr(self.folder, name)
-        return self.says.format(*flat(eval(self.value, names)))
+        return self.says.format(*flat(eval(f"({self.value})", names)))
 
     @cached_property
     def pattern(self) -> re.Pattern[str]:
