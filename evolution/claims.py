@@ -20,7 +20,8 @@ The claim `crowd` stands in ``results/one_team/claims.toml``:
 `says` is a format of `str.format`, and `value` a Python expression for its numbers. It knows
 `numbers`, what ``numbers.npz`` or ``numbers.json`` beside it holds; `load(name)`, another file
 there; `cell(row, column)`, the numbers of a cell of ``table.md`` (`Folder.cell`); `script`, the
-module that made the folder; and `np`. `setting` and `unit` may stand once, above all claims.
+module that made the folder; `interval(values)`, the mean over runs and the ends of its 95 %
+interval; and `np`. `setting` and `unit` may stand once, above all claims.
 
 Decimal fractions, percentages and "3 of 5" in a text need a claim. Those in code, in links and of
 levels (95 %) need none. Others that no run measured say so after their sentence: `<!--set-->` if
@@ -43,13 +44,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib import import_module
+from itertools import accumulate
 from pathlib import Path
 from string import Formatter
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from matrixworld._util.files import load_toml, replacing
+from matrixworld.analysis import interval_over_runs
 
 ROOT = Path(__file__).parents[1]
 sys.path += [str(ROOT / "evolution"), str(ROOT / "evolution" / "validation")]
@@ -73,7 +77,7 @@ MEASURED = re.compile(
 )
 """Numbers that look as if a run had measured them."""
 FREE = re.compile(
-    r"```.*?```|`[^`\n]*`|\]\([^)]*\)|<[^>]*>|https?://\S+"  # code, links, comments
+    r"```.*?```|`[^`\n]*`|\]\([^)]*\)|<[!/a-z][^>]*>|https?://\S+"  # code, links, comments
     r"|\b(?:arXiv|doi):\S+|\b(?:Python|version|notebook|exercise|section) \d+\.\w+"
     r"|\b9[59] ?%",
     re.DOTALL | re.IGNORECASE,
@@ -115,15 +119,16 @@ class Folder:
     def cell(self, row: str, column: str, under: str = "", file: str = "table.md") -> list[float]:
         """Return the numbers of the one cell with this head and these first cells of its row.
 
-        First cells are joined by a semicolon, `'open; learned; still'`. `under` is part of what
-        stands above the table, where several have such a cell.
+        First cells are joined by a semicolon, `'open; learned; still'`; of several lines in a
+        cell the first one counts. `under` is part of what stands above the table, or of its heads,
+        where several have such a cell.
         """
         found = [
             cells[head.index(column)]
             for above, head, rows in tables(self.load(file))
             if under in above and column in head
             for cells in rows
-            if "; ".join(cells).startswith(row) and cells[: row.count("; ") + 1] == row.split("; ")
+            if row in accumulate((cell.split("<br>")[0] for cell in cells), "{}; {}".format)
         ]
         if len(found) != 1:
             raise ValueError(
@@ -134,7 +139,7 @@ class Folder:
 
 
 def tables(text: str) -> Iterator[tuple[str, list[str], list[list[str]]]]:
-    """Yield the tables of a text in Markdown: what stands above, the heads, the rows."""
+    """Yield the tables of a text in Markdown: all that stands above the rows, heads, rows."""
     heading = paragraph = ""
     for block in re.split(r"\n\s*\n", text):
         lines = block.strip().split("\n")
@@ -143,7 +148,7 @@ def tables(text: str) -> Iterator[tuple[str, list[str], list[list[str]]]]:
             heading = block if block.startswith("#") else heading
             paragraph = block
             continue
-        above = "\n".join([heading, paragraph, *lines[:at]])
+        above = "\n".join([heading, paragraph, *lines[: at + 1]])
         rows = [
             [cell.strip().replace("**", "") for cell in line.strip().strip("|").split("|")]
             for line in lines[at:]
@@ -164,7 +169,7 @@ class Claim:
     @cached_property
     def text(self) -> str:
         """The digits, as a text has to write them."""
-        names = {"np": np, "load": self.folder.load, "cell": self.folder.cell}
+        names = {"np": np, "load": self.folder.load, "cell": self.folder.cell, "interval": interval}
         for name in ("numbers", "script"):
             if re.search(rf"\b{name}\b", self.value):
                 names[name] = getattr(self.folder, name)
@@ -178,6 +183,12 @@ class Claim:
             parts.append(re.sub(r"(?:\\?\s)+", r"\\s+", re.escape(literal)))
             parts.append("" if field is None else NUMBER)
         return re.compile(rf"(?<![\w.,])(?:{''.join(parts)})\Z")
+
+
+def interval(values: ArrayLike) -> list[float | None]:
+    """Return the mean over runs and the ends of its 95 % interval (Student's t)."""
+    found = interval_over_runs(values)
+    return [found.value, found.low, found.high]
 
 
 def flat(value: Any) -> list[Any]:

@@ -75,7 +75,7 @@ def test_a_line_break_within_digits_stays(kept):
     "text",
     [
         "a rate of 0.25", "a rate of .25", "by +0.250.", "12 % of them", "12% of them", "in 3 of 5",
-        "| 0.5 |", "[0.25, 0.5]", "p = 0.016", "1,234.5 steps",
+        "| 0.5 |", "[0.25, 0.5]", "p = 0.016", "p < 0.001 (<br>)", "1,234.5 steps",
     ],
 )  # fmt: skip
 def test_a_number_without_a_claim_is_found(text):
