@@ -45,6 +45,7 @@ from common import SMALL_RACE, Numbers, Runs, by_seed, experiment, kept, markdow
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, create, finish
 from matrixworld.coevolution.evaluation import held_out
 from matrixworld.coevolution.games.pursuit import Pursuit
+from matrixworld.coevolution.types import FloatArray
 from matrixworld.solver import best_response
 
 RACE: dict[str, Any] = {
@@ -330,8 +331,22 @@ def table(numbers: Numbers) -> str:
             told = f"{place}, value {value:.3f}: what pursuers guarantee, and evaders concede:"
             rows = [[f"{team}s", *row(numbers, place, team)[1:]] for team in TEAMS]
             parts += [told, markdown(heads, rows).replace("|  |", "| |", 1)]
+    compared = [(RATING, CELLS), (PROGRAM, CELLS), (HIDDEN, RATING), (RATING, CONTROL)]
+    rows = [
+        [f"{kind} minus {other}", mean(over(numbers, kind, other), sign="+")]
+        for kind, other in [*compared, (PROGRAM, CONTROL)]
+    ]
+    heads = ["", "difference of held-out scores [95 % over seeds]"]
+    parts += ["Means over the variants and teams:", markdown(heads, rows).replace("|  |", "| |", 1)]
     parts += ["What a race, or the choice of random programs, takes:", costs(numbers, variants)]
     return "\n\n".join(parts)
+
+
+def over(numbers: Numbers, kind: str, other: str) -> FloatArray:
+    """Return by how much scores of a kind are above those of another: means (seeds,)."""
+    variants = [place for place in places_in(numbers) if place not in SOLVED]
+    names = [(f"{place}: {{}} / {team}") for place in variants for team in TEAMS]
+    return np.mean([numbers[n.format(kind)] - numbers[n.format(other)] for n in names], axis=0)
 
 
 def costs(numbers: Numbers, variants: list[str]) -> str:
