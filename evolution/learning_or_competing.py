@@ -484,6 +484,36 @@ def table(numbers: Numbers) -> str:
     return "\n\n".join(parts)
 
 
+def counted(text: str, word: str, *verdicts: str) -> tuple[int, int]:
+    """Return how many differences of the table in `WORLDS` have one of some verdicts, of how many.
+
+    Of the rows whose first cell begins, or ends, with `word`.
+    """
+    lines = text.split("| S, ")[0].splitlines()
+    rows = [[each.strip() for each in line.strip("|").split("|")] for line in lines]
+    of_word = [row[1:] for row in rows if word in (row[0].split(", ")[0], row[0].split(", ")[-1])]
+    found = [each.split("] ")[-1] for row in of_word for each in row if ";" in each]
+    return sum(each in verdicts for each in found), len(found)
+
+
+def shares(numbers: Numbers, *learners: str) -> list[float]:
+    """Return the shares of the race's rises against champions that mixtures bring in `WORLDS`."""
+    return [
+        float(numbers[f"{kind} / {team} champions rise"].mean() / race.mean())
+        for kind in kinds_in(numbers)
+        for place, learner, arm in [kind.split(", ")]
+        if place in WORLDS and learner in learners and arm == MIXTURE
+        for team in TEAMS
+        for race in [numbers[f"{place}, {learner}, {GENERALISTS} / {team} champions rise"]]
+    ]
+
+
+def arms_races(numbers: Numbers, *kinds: str) -> tuple[int, int]:
+    """Return in how many single runs of some kinds an arms race is found, of how many."""
+    found = np.concatenate([numbers[f"{kind} / arms race"] for kind in kinds])
+    return int(found.sum()), len(found)
+
+
 if __name__ == "__main__":
     experiment(
         __doc__,
