@@ -401,19 +401,26 @@ def table(found: Sequence[Mapping[str, Any]]) -> str:
     return "\n".join(lines)
 
 
+STYLES = (
+    ("tab:blue", "o-"), ("tab:orange", "s-"), ("black", "^"), ("tab:gray", "v--"),
+    ("tab:purple", "P:"), ("black", "D"),
+)  # fmt: skip
+"""Colors and lines of the representations, which differ without colors, too."""
+
+
 def figure(found: Sequence[Mapping[str, Any]]) -> Any:
     """Return the curves of shares against what one must read."""
     apart = halves(found)
     drawn, axes = plt.subplots(1, len(apart), figsize=(9, 3.8), sharey=True, squeeze=False)
     for axis, (name, worlds) in zip(axes[0], apart.items(), strict=True):
-        for kind, by_size in curves(worlds).items():
+        for (kind, by_size), (color, style) in zip(curves(worlds).items(), STYLES, strict=True):
             means = [np.mean(each) for each in by_size.values()]
             found_ends = [interval_over_runs(each, bounds=(0, 1)) for each in by_size.values()]
             ends = [[m if end is None else end for end in (e.low, e.high)]
                     for m, e in zip(means, found_ends, strict=True)]  # fmt: skip
             bars = np.abs(np.array(ends).T - means)
-            style = "o-" if len(means) > 1 else "s"
-            axis.errorbar([*by_size], means, bars, fmt=style, label=kind, ms=4, lw=1, capsize=2)
+            look = {"color": color, "fmt": style, "ms": 4, "lw": 1, "capsize": 2}
+            axis.errorbar([*by_size], means, bars, label=kind, **look)
         sizes = {"rating": len(TODAY), "rating, 8 hidden": 72, "program": SYMBOLS[-1]}
         shares = [np.mean([raced(world, kind) for world in worlds]) for kind in RACED]
         axis.plot([sizes[kind] for kind in RACED], shares, "kx", label="races: 7 weights, 72, 40")
