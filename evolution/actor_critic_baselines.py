@@ -201,7 +201,7 @@ def table(numbers: Numbers) -> str:
             )
             found, first = capture_rate(captures), learner == LEARNERS[0]
             rows.append([
-                game.name if first else "",
+                game.name,
                 learner,
                 written(found),
                 f"{lengths.mean():.0f}",

@@ -71,7 +71,7 @@ of it would count as reproduced."""
 LEAST_COLLISIONS = 1.0
 """Collisions per 1000 agent-steps that count as some: ten of a team of 20 in 500 steps."""
 
-AT_ITS_SIZE = Path(__file__).parent / "results" / "paper_surrounding" / "numbers.npz"
+AT_ITS_SIZE = Path(__file__).parent / "results" / "paper" / "paper_surrounding" / "numbers.npz"
 ASSURANCE = """Rewards do not make pursuers safe in S, and the paper asks for assurance. These
 learned at the paper's size by policy gradients, as `paper_surrounding.py` plays it."""
 
@@ -514,10 +514,16 @@ def table(columns: Sequence[str], claims: Sequence[Claim]) -> str:
     return markdown(["the paper's claim, and the number that tests it", *columns], rows)
 
 
+def verdicts(text: str) -> list[int]:
+    """Return how many claims in the tables of a text have each verdict in their first column."""
+    found = Counter(re.findall(r"seeds\* \| \*\*(.+?)\*\*", text))
+    return [found[verdict] for verdict in VERDICTS]
+
+
 def counted(tables: Sequence[str]) -> str:
     """Return how many claims of these tables hold, each counted once, in a sentence."""
-    found = Counter(re.findall(r"seeds\* \| \*\*(.+?)\*\*", "\n".join(tables)))
-    told = ", ".join(f"{found[verdict]} {verdict}" for verdict in VERDICTS)
+    counts = zip(verdicts("\n".join(tables)), VERDICTS, strict=True)
+    told = ", ".join(f"{count} {verdict}" for count, verdict in counts)
     return (
         "Each claim counted once, in its first column (the whole race, all generations): "
         f"{told}. Rows share runs, and the columns of a row overlap."

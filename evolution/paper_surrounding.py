@@ -34,7 +34,7 @@ from common import FIRST_TEST_SEED, Numbers, experiment, kinds_in, markdown, mea
 from matrixworld.coevolution import RaceSettings, SavedRun
 from matrixworld.world.rules import COLLISION_KINDS
 
-LOG = Path(__file__).parent / "results" / "paper_surrounding" / "published_log.csv"
+LOG = Path(__file__).parent / "results" / "paper" / "paper_surrounding" / "published_log.csv"
 """Every tenth epoch of the authors' log (github.com/LijunSun90/MatrixWorld, directory
 data/s_train_pursuit_vs_random_evasion): reward of a pursuer, evaders captured in the last step, and
 collisions of the pursuers by kind, in one episode each."""

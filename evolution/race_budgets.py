@@ -120,7 +120,7 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
 def kept() -> dict[str, Any]:
     """Return the numbers of the long races, which other tables have."""
     hall = dict(np.load(KEPT / "hall_of_fame" / "numbers.npz"))
-    claims = dict(np.load(KEPT / "paper_claims" / "numbers.npz"))
+    claims = dict(np.load(KEPT / "paper" / "paper_claims" / "numbers.npz"))
     numbers: dict[str, Any] = {f"matches of {LONG}; {each}": LONG_MATCHES for each in SCHEDULES}
     for team in TEAMS:
         scores = hall[f"{hall_of_fame.HALL} / {team}_score"]

@@ -14,7 +14,7 @@ from pages import DOCS, ROOT, page_id, read
 from tiny_race import tiny_race
 
 ANCHOR = re.compile(r'<a id="([^"]+)"></a>')
-READMES = [*ROOT.glob("*/README.md"), *ROOT.glob("evolution/*/README.md")]
+READMES = [*ROOT.glob("*/README.md"), *ROOT.glob("evolution/**/README.md")]
 READMES += ROOT.glob("tutorials/*/README.md")
 ALL_PAGES = sorted({*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *READMES, *NOTEBOOKS})
 

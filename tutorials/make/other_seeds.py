@@ -37,7 +37,7 @@ from course.chapter_5 import noisy_race
 
 KEPT = DATA / "other_seeds.npz"
 NOTEBOOKS = Path(__file__).parents[1]
-PAPER = NOTEBOOKS.parent / "evolution" / "results" / "paper_claims" / "numbers.npz"
+PAPER = NOTEBOOKS.parent / "evolution" / "results" / "paper" / "paper_claims" / "numbers.npz"
 PAPER_SCHEDULES = ("specialist-specialist", "generalist-specialist", "generalist-generalist")
 RUNS = Path("runs/other_seeds")
 Effects = dict[str, float]
