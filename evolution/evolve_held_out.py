@@ -1,4 +1,4 @@
-"""How were the evolved held-out opponents made? Evolves them, or prints how good they are.
+"""How were the evolved held-out opponents made? Evolves them, or tells how good they are.
 
     python evolution/evolve_held_out.py                   held_out.npz, three minutes on one core
     python evolution/evolve_held_out.py --processes 2     the same file, faster
@@ -9,26 +9,29 @@ There are two genomes of each team and variant. The first one evolves against a 
 one starts from the first and evolves against a more skilled script or, for pursuers that surround,
 in a larger world. Both learn in small worlds, which are cheap; agents see the same neighbourhood
 there as in large worlds. The same seed gives the same file. To use a new file, replace
-``python/matrixworld/coevolution/held_out.npz``.
+``python/matrixworld/coevolution/evaluation/held_out.npz``.
 
 Method: an evolution strategy (Salimans et al., 2017) with a curriculum of two lessons (Bengio et
 al., 2009, "Curriculum learning").
 
-Look at the tables of ``--table``: first the rate against random opponents, then the mean rate
-against all scripts. A useful opponent is better than a random walk and not the best of all.
+Look at the tables of ``--table``, which ``--results`` receives: first the rate against random
+opponents, then the mean rate against all scripts. A useful opponent is better than a random walk
+and not the best of all.
 """
 
 from __future__ import annotations
 
 import tempfile
 from functools import partial
+from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from tqdm import tqdm
 
 import matrixworld as mw
-from common import executor_of, finish_with_penalty_of_races, markdown, script_parser
+from common import executor_of, finish_with_penalty_of_races, markdown, script_parser, write_json
 from matrixworld import coevolution
 from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import RaceSettings, Team, create
@@ -38,7 +41,15 @@ from matrixworld.coevolution.types import other
 LEARNER = {"learner.population": 32, "learner.learning_rate": 0.03, "learner.sigma": 0.15}
 UNTRAINED = {"policy.initial_weight": 0.2, "policy.initial_head": 0.09}
 QUICK_EPOCHS = 3
-EPISODES = 50  # of each pair in the table
+EPISODES, MANY = 50, 1000  # of each pair in the variants' default worlds, and in `SMALL`
+SMALL = mw.WorldConfig("O", rows=10, cols=10, n_pursuers=4, n_evaders=4, max_steps=50)
+IN_SMALL = "O, 10 x 10 cells, 4 against 4, 50 steps; `chaser` as pursuers, `fleer` as evaders."
+GOOD: dict[Team, mw.Script] = {"pursuer": "chaser", "evader": "fleer"}
+TOLD: dict[Team, str] = {
+    "pursuer": "Capture rates of pursuers", "evader": "Escape rates of evaders",
+}  # fmt: skip
+
+Row = dict[str, Any]
 
 
 class Lesson(NamedTuple):
@@ -110,25 +121,61 @@ def captured(team: Team, world: mw.WorldConfig | str, own: Any, rival: Any, epis
     return rate if team == "pursuer" else 1 - rate
 
 
-def table(genomes: dict[str, np.ndarray], variants: list[str], episodes: int) -> str:
-    """Return tables: capture or escape rates against random opponents and all scripts."""
-    tables = []
-    for team in coevolution.TEAMS:
-        rows: dict[str, dict[str, str]] = {}
-        for variant in variants:
-            players: dict[str, Any] = {name: name for name in held_out_scripts(team, variant)}
-            for number, genome in enumerate(genomes[f"{variant}.{team}s"].astype(np.float32), 1):
-                players[f"evolved-{number}"] = mw.Population(genome, NETWORK)
-            scripts = held_out_scripts(other(team), variant)
-            for name, player in players.items():
-                rates = [captured(team, variant, player, script, episodes) for script in scripts]
-                cells = rows.setdefault(name, {})
-                cells[variant] = f"{rates[0]:.2f}, {np.mean(rates):.2f}"
+def players_of(genomes: dict[str, np.ndarray], team: Team, variant: str) -> dict[str, Any]:
+    """Return the held-out opponents of a team in a variant, by name: scripts, then genomes."""
+    players: dict[str, Any] = {name: name for name in held_out_scripts(team, variant)}
+    for number, genome in enumerate(genomes[f"{variant}.{team}s"].astype(np.float32), 1):
+        players[f"evolved-{number}"] = mw.Population(genome, NETWORK)
+    return players
+
+
+def rates_in(variants: list[str], genomes: dict[str, np.ndarray], episodes: int) -> list[Row]:
+    """Return each player's capture or escape rates against all scripts of the other team."""
+    rows = []
+    for team, variant in product(coevolution.TEAMS, variants):
+        players = players_of(genomes, team, variant)
+        scripts = held_out_scripts(other(team), variant)
+        for name, player in tqdm(players.items(), desc=f"{team}s, {variant}", disable=None):
+            rates = {
+                script: round(captured(team, variant, player, script, episodes), 4)
+                for script in scripts
+            }
+            rows.append({"team": team, "variant": variant, "player": name, "rates": rates})
+    return rows
+
+
+def difficulties(genomes: dict[str, np.ndarray], episodes: int) -> list[Row]:
+    """Return the score of a good script of the other team against each player, in `SMALL`."""
+    return [
+        {
+            "team": team,
+            "player": name,
+            "score": round(captured(other(team), SMALL, GOOD[other(team)], player, episodes), 4),
+        }
+        for team in coevolution.TEAMS
+        for name, player in players_of(genomes, team, "O").items()
+    ]
+
+
+def table(numbers: dict[str, list[Row]]) -> str:
+    """Return tables: rates against random opponents and against all scripts, and difficulties."""
+    rows = numbers["rates"]
+    variants = list(dict.fromkeys(row["variant"] for row in rows))
+    parts = []
+    for team, told in TOLD.items():
+        cells: dict[str, dict[str, str]] = {}
+        for row in rows:
+            if row["team"] == team:
+                random, mean = row["rates"]["random"], np.mean([*row["rates"].values()])
+                cells.setdefault(row["player"], {})[row["variant"]] = f"{random:.2f}, {mean:.2f}"
         # Variants differ in their scripts; the evolved ones come last.
-        names = sorted(rows, key=lambda name: name.startswith("evolved"))
-        lines = [[name, *(rows[name].get(each, "") for each in variants)] for name in names]
-        tables.append(markdown([f"{team}s", *variants], lines))
-    return "\n\n".join(tables)
+        names = sorted(cells, key=lambda name: name.startswith("evolved"))
+        lines = [[name, *(cells[name].get(each, "") for each in variants)] for name in names]
+        parts += [f"{told}: against random opponents, and the mean against all scripts."]
+        parts += [markdown([f"{team}s", *variants], lines)]
+    lines = [[row["player"], f"{row['team']}s", f"{row['score']:.2f}"] for row in numbers["small"]]
+    parts += [f"Difficulty: what a good script of the other team scores. {IN_SMALL}"]
+    return "\n\n".join([*parts, markdown(["opponent", "team", "difficulty"], lines)])
 
 
 def main() -> None:
@@ -136,11 +183,16 @@ def main() -> None:
     parser = script_parser(__doc__, quick="a few epochs of two variants", cluster=True)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--processes", type=int, default=1)
-    parser.add_argument("--table", type=Path, metavar="FILE", help="print this file's table only")
+    parser.add_argument("--table", type=Path, metavar="FILE", help="tell this file's rates only")
     args = parser.parse_args()
     variants = ["O", "SB"] if args.quick else list(mw.VARIANTS)
     if args.table is not None:
-        print(table(load_arrays(args.table), variants, 2 if args.quick else EPISODES))
+        genomes = load_arrays(args.table)
+        episodes, many = (2, 2) if args.quick else (EPISODES, MANY)
+        numbers = {
+            "rates": rates_in(variants, genomes, episodes), "small": difficulties(genomes, many)
+        }  # fmt: skip
+        write_json(args.results, numbers, table(numbers))
     else:
         epochs = QUICK_EPOCHS if args.quick else None
         teach = partial(curriculum, epochs=epochs, seed=args.seed)

@@ -12,6 +12,7 @@ import added_inputs
 import balance
 import balanced_races
 import convergence
+import evolve_held_out
 import ground_truth
 import hall_of_fame
 import interval_coverage as coverage
@@ -50,7 +51,7 @@ def of(table):
 
 
 OF_A_TABLE = (
-    added_inputs, baselines, balanced_races, convergence, ground_truth, hall_of_fame, league,
+    added_inputs, balanced_races, convergence, ground_truth, hall_of_fame, league,
     learned, learning_or_competing, longer_races, page_races, perfect_learners, policies,
     map_races, race_budgets, rating_inputs, safe_learning, yoked_races, yoked_variants,
     yoked_worlds,
@@ -58,9 +59,11 @@ OF_A_TABLE = (
 OF_SEVERAL = actor_critic_claims, paper_claims, paper_surrounding
 TABLES = {
     **{f"{script.__name__}/table.md": of(script.table) for script in OF_A_TABLE},
-    **{f"{script.__name__}/table.md": of(script.tables) for script in OF_SEVERAL},
+    **{f"paper/{script.__name__}/table.md": of(script.tables) for script in OF_SEVERAL},
+    "paper/actor_critic_baselines/table.md": of(baselines.table),
     "balance/table.md": lambda at: balance.table(json.loads(read(at / "numbers.json"))),
-    "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
+    "coverage/table.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
+    "held_out/table.md": lambda at: evolve_held_out.table(json.loads(read(at / "numbers.json"))),
     "judgement/errors.md": judgement_tables.report_of,
     "liveness/table.md": lambda at: liveness.table(json.loads(read(at / "numbers.json"))),
     **{
@@ -75,9 +78,12 @@ TABLES = {
     ),
 }
 """Published tables, and how they are made from the other files of their directory."""
-ROUNDED = {"actor_critic_claims/table.md", "ground_truth/table.md", "paper_claims/table.md"}
+ROUNDED = {
+    "ground_truth/table.md",
+    *(f"paper/{name}/table.md" for name in ("actor_critic_claims", "paper_claims")),
+}
 """Tables with numbers that another processor or SciPy may round otherwise."""
-LONG = ROUNDED | {"coverage/coverage.md", "judgement/errors.md"}
+LONG = ROUNDED | {"coverage/table.md", "judgement/errors.md"}
 """Tables that take seconds."""
 
 
