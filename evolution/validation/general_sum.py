@@ -39,7 +39,7 @@ Of 8 runs it is true of the mean of the numbers, as played. Of 3 runs it is true
 run, false if it is of none, else open. What is open is not counted. Progress, rises and forgetting
 are counted for each team: a verdict that names the other team only is "cannot tell" of this one.
 
-``--results`` (or ``--out``) receives counts.csv, and README.md, which follows from it.
+``--results`` (or ``--out``) receives counts.csv, and table.md, which follows from it.
 """
 
 from __future__ import annotations
@@ -675,9 +675,9 @@ def main() -> None:
     args.results.mkdir(parents=True, exist_ok=True)
     write_counts(count(range(races), args.seed), args.results / "counts.csv")
     text = report_of(args.results)
-    (args.results / "README.md").write_text(text, encoding="utf-8")
-    print(text.split("## By the scores", 1)[0].rstrip())
-    print(f"Written: {args.results}/counts.csv, README.md")
+    (args.results / "table.md").write_text(text, encoding="utf-8")
+    print(text)
+    print(f"Written: {args.results}/counts.csv, table.md")
 
 
 if __name__ == "__main__":

@@ -422,9 +422,9 @@ def main() -> None:
     text = table(counts)
     args.results.mkdir(parents=True, exist_ok=True)
     judgement_tables.write_counts([vars(row) for row in counts], args.results / "coverage.csv")
-    (args.results / "coverage.md").write_text(f"{text}\n", encoding="utf-8")
+    (args.results / "table.md").write_text(f"{text}\n", encoding="utf-8")
     print(text)
-    print(f"\nWritten: {args.results}/coverage.md, {args.results}/coverage.csv")
+    print(f"\nWritten: {args.results}/table.md, {args.results}/coverage.csv")
 
 
 if __name__ == "__main__":

@@ -85,7 +85,7 @@ def test_a_short_run_writes_tables_that_follow_from_its_counts(tmp_path, monkeyp
     monkeypatch.setattr(sys, "argv", ["general_sum.py", "--races", "2", "--out", str(tmp_path)])
     benchmark.main()
     assert "| joint fall |" in capsys.readouterr().out
-    assert read(tmp_path / "README.md") == benchmark.report_of(tmp_path)
+    assert read(tmp_path / "table.md") == benchmark.report_of(tmp_path)
     rows = read_counts(tmp_path / "counts.csv")
     falls = [row for row in rows if row["condition"] == "joint fall" and row["game"] == TWO]
     lacks, _, has, *_ = benchmark.cells(falls, by="family")
@@ -105,4 +105,4 @@ def test_counts_by_hand():
 
 def test_the_published_table_follows_from_the_published_counts():
     published = RESULTS / "general_sum"
-    assert read(published / "README.md") == benchmark.report_of(published)
+    assert read(published / "table.md") == benchmark.report_of(published)
