@@ -283,13 +283,13 @@ def table(numbers: Numbers) -> str:
             *(row(numbers, name, f"{name.removeprefix(f'{variant} ')}, at the end", np.inf)
               for name in names if EVOLVED in name),
         ]  # fmt: skip
-        parts.append(markdown([variant, *HEADS], rows))
+        parts += [f"## `{variant}`", markdown(["method", *HEADS], rows)]
     steps, faults = numbers["long test"]
     tested = (
         f"With right of way, pursuers were at fault {faults:,} times in {steps:,} agent-steps of "
         "the last generations of all seeds."
     )
-    return "\n\n".join([*parts, comparisons(numbers), tested])
+    return "\n\n".join([*parts, "## Differences", comparisons(numbers), tested])
 
 
 def figure(numbers: Numbers) -> Figure:
