@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from course.figures import CROSSINGS, may_go
-from matrixworld._util.files import load_toml
+from course.questions import TEXTS as COURSE
+from course.questions import texts_of
 from matrixworld.coevolution.saved_run import open_runs
 from matrixworld.explorer.evolve_page import evolve_data
 from matrixworld.explorer.page import render_page, write_page
@@ -23,9 +24,7 @@ from matrixworld.version import __version__
 from matrixworld.world.arrays import MOVES
 
 PAGE = Path(__file__).with_name("lesson.html")
-LESSON: dict[str, Any] = load_toml(Path(__file__).with_name("lesson.toml"))
-COURSE = load_toml(Path(__file__).parents[1] / "tutorials" / "course" / "exercises.toml")
-"""Outcomes and explanations of the predictions that the lesson takes over."""
+LESSON = texts_of(Path(__file__).with_name("lesson.toml"))
 MOST_BYTES = 2 * 2**20
 """Genomes of the page, in bytes, which holds every fifth generation of default races."""
 VERDICTS = {"present": "a", "absent": "b", "cannot tell": "c"}

@@ -56,16 +56,19 @@ from matrixworld._util.files import load_toml, replacing
 from matrixworld.analysis import interval_over_runs
 
 ROOT = Path(__file__).parents[1]
-sys.path += [str(ROOT / "evolution"), str(ROOT / "evolution" / "validation")]
+sys.path += [str(ROOT / name) for name in ("evolution", "evolution/validation", "tutorials/make")]
 FOLDERS = {
     **{path.parent.name: path.parent for path in ROOT.glob("evolution/results/**/claims.toml")},
     "course": ROOT / "tutorials/course/data",
     "benchmarks": ROOT / "benchmarks",
 }
 """By the name that claims begin with, the folder of their ``claims.toml``."""
+SCRIPTS = {"data": "told"}
+"""Scripts that have not the name of their folder."""
 TEXTS = (
     "README.md", "docs/*.md", "docs/lesson.toml", "evolution/results/**/README.md",
-    "tutorials/README.md", "tutorials/*.ipynb",
+    "tutorials/README.md", "tutorials/class_tournament/README.md", "tutorials/*.ipynb",
+    "tutorials/course/exercises.toml",
 )  # fmt: skip
 """Texts whose measured numbers are claims."""
 
@@ -113,8 +116,8 @@ class Folder:
 
     @cached_property
     def script(self) -> Any:
-        """The script of the same name."""
-        return import_module(self.path.name)
+        """The script of the same name, or that of `SCRIPTS`."""
+        return import_module(SCRIPTS.get(self.path.name, self.path.name))
 
     def cell(self, row: str, column: str, under: str = "", file: str = "table.md") -> list[float]:
         """Return the numbers of the one cell with this head and these first cells of its row.
@@ -287,12 +290,14 @@ def unclaimed(text: str) -> list[str]:
 
 
 def passages(path: Path) -> list[str]:
-    """Return what people read in a text: a page, the cells of a notebook, texts of the lesson."""
+    """Return what people read in a text: a page, the cells of a notebook, texts of a TOML file."""
     text = path.read_text(encoding="utf-8")
     if path.suffix == ".ipynb":
         cells = json.loads(text)["cells"]
         return ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
-    return [*strings(load_toml(path))] if path.suffix == ".toml" else [text]
+    if path.suffix == ".toml":  # a single word is a name
+        return [each for each in strings(load_toml(path)) if " " in each]
+    return [text]
 
 
 def strings(value: Any) -> Iterator[str]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -40,7 +41,14 @@ PREDICTIONS = Path("predictions.jsonl")
 """Choices of predictions with their times, a line each; it lies beside the notebook."""
 
 HERE = Path(__file__).parent
-TEXTS = tomllib.loads((HERE / "exercises.toml").read_text("utf-8"))
+
+
+def texts_of(path: Path) -> dict[str, Any]:
+    """Return the values of a TOML file without the comments in its texts, which name claims."""
+    return tomllib.loads(re.sub(r"<!--.*?-->", "", path.read_text("utf-8")))
+
+
+TEXTS = texts_of(HERE / "exercises.toml")
 EDITION = TEXTS["edition"]
 """Options of predictions have the same letters within one."""
 DATA = HERE / "data"
