@@ -36,6 +36,7 @@ TABLE = """
 5  | noise | four in ten, less it | +
 6  | paper | transitive share: specialists minus mixed | -
 6  | cures | transitive share of uniform | +
+6  | cures | escapes of round-robin | -
 6  | halls | pursuers forget | -
 7  | restraint | few evader epochs, less one half | +
 7  | restraint | restrained, less four in ten | +

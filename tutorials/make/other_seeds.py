@@ -161,29 +161,27 @@ def cure(name: str, seed: int) -> SavedRun:
 
 
 def cures(seed: int) -> Effects:
-    """Cures minus specialists. Evaders meet the last pursuers of the other two kinds, all seeds."""
+    """Cures minus specialists. All evaders meet the last pursuers of all kinds and seeds."""
     of = analysis.MEASURES["transitive_share"].of
     share = {name: of(cure(name, seed).payoff().matrix).value for name in chapter_6.SAMPLERS}
-    escape = {}
-    for name in chapter_6.SAMPLERS:
-        rivals = [
-            cure(kind, each).teams["pursuer"].genomes[-1]
-            for kind in chapter_6.SAMPLERS
-            for each in SOURCES["cures"].others
-            if kind != name
-        ]
-        evaders = cure(name, seed).teams["evader"]
-        last = mw.Population(evaders.genomes[-1:], evaders.policy)
-        payoff = coevolution.tournament(
-            chapter_6.WORLD, mw.Population(np.stack(rivals), evaders.policy), last, seed=0,
-            episodes=chapter_6.CROSS_EPISODES, threads=1,
-        )  # fmt: skip
-        escape[name] = 1 - payoff.matrix.mean()
+    kinds, seeds = chapter_6.SAMPLERS, SOURCES["cures"].others
+    pursuers, evaders = (
+        mw.Population(
+            np.stack(
+                [cure(kind, each).teams[team].genomes[-1] for kind in kinds for each in of_team]
+            ),
+            cure(kinds[0], seed).teams[team].policy,
+        )
+        for team, of_team in (("pursuer", seeds), ("evader", (seed,)))
+    )
+    payoff = coevolution.tournament(
+        chapter_6.WORLD, pursuers, evaders, seed=0, episodes=chapter_6.CROSS_EPISODES, threads=1
+    )
+    escape = dict(zip(kinds, 1 - payoff.matrix.mean(axis=0), strict=True))
     return {
-        "transitive share of round-robin": share["round-robin"] - share["latest"],
-        "transitive share of uniform": share["uniform"] - share["latest"],
-        "escapes of round-robin": escape["round-robin"] - escape["latest"],
-        "escapes of uniform": escape["uniform"] - escape["latest"],
+        f"{what} of {name}": found[name] - found["latest"]
+        for what, found in (("transitive share", share), ("escapes", escape))
+        for name in ("round-robin", "uniform")
     }
 
 
