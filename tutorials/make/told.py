@@ -129,15 +129,9 @@ SOURCES: dict[str, tuple[Callable[[int], Row], range]] = {
 # ---- From kept numbers to digits -----------------------------------------------------------------
 
 
-def over_seeds(values: ArrayLike, **bounds: Any) -> list[float | None]:
-    """Return the mean over seeds and the ends of its 95 % interval."""
-    found = analysis.interval_over_runs(values, **bounds)
-    return [found.value, found.low, found.high]
-
-
-def difference(one: ArrayLike, other: ArrayLike, *, paired: bool = True) -> list[float | None]:
+def difference(one: ArrayLike, other: ArrayLike) -> list[float | None]:
     """Return the mean of one minus another over seeds, and the ends of its 95 % interval."""
-    found = analysis.difference_of_runs(one, other, paired=paired)
+    found = analysis.difference_of_runs(one, other)
     return [found.value, found.low, found.high]
 
 
