@@ -290,11 +290,13 @@ def unclaimed(text: str) -> list[str]:
 
 
 def passages(path: Path) -> list[str]:
-    """Return what people read in a text: a page, the cells of a notebook, texts of a TOML file."""
+    """Return what people read: pages, cells and pictures of notebooks, texts of TOML files."""
     text = path.read_text(encoding="utf-8")
     if path.suffix == ".ipynb":
         cells = json.loads(text)["cells"]
-        return ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+        pictures = [cell["metadata"].get("alt", "") for cell in cells]
+        read = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+        return [*read, *pictures]
     if path.suffix == ".toml":  # a single word is a name
         return [each for each in strings(load_toml(path)) if " " in each]
     return [text]
