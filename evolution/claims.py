@@ -66,7 +66,7 @@ FOLDERS = {
 SCRIPTS = {"data": "told"}
 """Scripts that have not the name of their folder."""
 TEXTS = (
-    "README.md", "docs/*.md", "docs/lesson.toml", "evolution/results/**/README.md",
+    "README.md", "docs/*.md", "docs/maintainers/*.md", "docs/lesson.toml", "evolution/**/README.md",
     "tutorials/README.md", "tutorials/class_tournament/README.md", "tutorials/*.ipynb",
     "tutorials/course/exercises.toml",
 )  # fmt: skip
@@ -81,7 +81,7 @@ MEASURED = re.compile(
 """Numbers that look as if a run had measured them."""
 FREE = re.compile(
     r"```.*?```|`[^`\n]*`|\]\([^)]*\)|<[!/a-z][^>]*>|https?://\S+"  # code, links, comments
-    r"|\b(?:arXiv|doi):\S+|\b(?:Python|version|notebook|exercise|section) \d+\.\w+"
+    r"|\b(?:arXiv|doi)[: ]\S+|\b(?:Python|version|notebook|exercise|section) \d+\.\w+"
     r"|\b9[59] ?%",
     re.DOTALL | re.IGNORECASE,
 )
