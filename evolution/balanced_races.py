@@ -123,8 +123,8 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
         numbers |= {f"{name} in {kind}": value for name, value in found_in(every).items()}
     for world in dict.fromkeys(kind.split("; ")[0] for kind in runs):
         best = best_scripts(WorldConfig.of(world), episodes=QUICK_EPISODES if quick else EPISODES)
-        for team, (script, score) in best.items():
-            numbers[f"{world}: {team}"] = np.array([script, f"{score:.3f}"])
+        for team, script in best.items():
+            numbers[f"{world}: {team}"] = np.array([script.name, f"{script.score:.3f}"])
     return numbers
 
 

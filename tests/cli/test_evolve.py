@@ -329,7 +329,7 @@ def test_a_directory_for_each_schedule_and_seed(undrawn):
     assert [*found_job(Path("out"))] == names
     evolve(tiny_race(seed=10, schedule=MAIN_JOB[2]), "alone")
     assert results_of(Path("out") / names[3]) == results_of(Path("alone"))
-    assert "[4/4] evaders" in said.stderr
+    assert "[4/4] pursuers" in said.stderr
     before = {path: path.read_bytes() for path in Path("out").rglob("*.*") if path.is_file()}
     again = evolved("--resume", "out")
     # The first line has the time.

@@ -134,7 +134,7 @@ def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, u
     report(found_job(job), job, results(job), {}, 0.0, threads=1)
     said = capsys.readouterr().out
     assert max(map(len, said.splitlines())) <= 80
-    assert len(said.splitlines()) <= 24  # seen at once
+    assert len(said.splitlines()) <= 26  # seen at once
     strangers = run_together(said.partition("score against strangers")[2])
     written = read_json(job / "summary.json")
     groups = {each.inside(job).name: each for each in open_groups(job)}
@@ -151,6 +151,8 @@ def test_the_end_has_sentences_and_held_out_scores_in_few_columns(job, capsys, u
         middle = kept["held_out"]["evaders"]["interquartile mean"]
         assert middle["value"] == pytest.approx(stats.trim_mean(scores["evader"], 0.25, axis=None))
     assert "untrained teams" in said
+    setting = "O, 2 pursuers and 3 evaders: 100 episodes against each of 5 and 4 opponents"
+    assert f"{setting} (untrained: 20); the best of 4 and 5 scripts." in strangers
     assert said.count("Not finished: seed 3.") == 2
     assert [*written["runs"]] == [f"{name}/seed-{seed}" for name in SCHEDULES for seed in (0, 1)]
     one, run = written["runs"][f"{FIRST}/seed-1"], open_run(job / FIRST / "seed-1")

@@ -1,12 +1,15 @@
 """Commands on races of a game of your own, races that go on, and policies that one can read."""
 
 import importlib
+import re
 import sys
 from pathlib import Path
 
 import pytest
 
-from command_line import RACE, evolved, matrixworld_command, words
+import matrixworld as mw
+from command_line import RACE, evolved, matrixworld_command, run_together, words
+from matrixworld._util.files import read_json
 from matrixworld.coevolution import open_run
 
 pytestmark = pytest.mark.usefixtures("undrawn")
@@ -93,7 +96,16 @@ def test_what_rates_moves_ends_in_words(tmp_path, monkeypatch):
     one = ("--schedule", "hall-of-fame", "--set", "schedule.joint_epochs=2")
     told = evolved("--out", "out", *words(race), *one, "--set", "policy=rating").stdout
     assert "What evolved: hall-of-fame, seed 5" in told
-    assert "  A pursuer " in told
-    assert "  An evader " in told
+    for team in ("pursuers", "evaders"):
+        kept = read_json(next(Path("out").rglob("scores.json")))[team]["evolved"]
+        assert f"Generation {kept['generation']}: {kept['sentence']}" in run_together(told)
+        losses = {term["input"]: term["lost"] for term in kept["terms"]}
+        assert {*losses} == {*mw.Rating.inputs}
+        # An input is named with its loss if the interval lies on one side of 0.
+        named = [each for each in losses.values() if not each["low"] <= 0 <= each["high"]]
+        sizes = [float(size) for size in re.findall(r"\((?:worth )?(0\.\d+)", kept["sentence"])]
+        assert sorted(sizes) == sorted(round(abs(each["value"]), 3) for each in named)
+    known = "Known beyond the view: pursuers: right of way, a direction for 12 steps; "
+    assert known in run_together(told)
     program = ("--set", "policy=program", "--learner", "gp")
     assert "rating = " in evolved("--out", "programs", *words(race), *one, *program).stdout

@@ -60,7 +60,7 @@ def test_scores_are_kept_and_played_again_if_they_are_of_something_else(job):
     assert told[-1].what.startswith("[3/3] evaders")
     played = score(open_runs(job / SECOND)[1])["pursuer"].to_json()
     assert kept[1]["pursuers"].items() >= played.items()
-    beside = {"untrained", "best script", "best generation"}
+    beside = {"untrained", "best script", "best generation", "evolved"}
     assert {*kept[1]["pursuers"]} - {*played} == beside
     generation, mean = kept[1]["pursuers"]["best generation"]
     of_best = score(open_runs(job / SECOND)[1], generation=generation)["pursuer"]

@@ -14,7 +14,7 @@ from matrixworld._util.files import read_json
 from matrixworld.analysis import CONDITIONS, judge
 from matrixworld.cli.options import unpacked
 from matrixworld.coevolution import RaceSettings, create, evolve, open_run, seeding
-from matrixworld.coevolution.evaluation.effects import PHRASES, WORDS, Effect, sentence
+from matrixworld.coevolution.evaluation.effects import PHRASES, WORDS, Effect, deed, sentence
 from matrixworld.coevolution.games.tournament import tournament
 from matrixworld.coevolution.learners import learner as learner_module
 from matrixworld.coevolution.learners import noise as noise_module
@@ -265,7 +265,9 @@ def test_what_agents_do_is_told_as_by_explain():
     given = {"races": [], "told": told, "data": data}
     # Of a weighted sum, each effect goes one way.
     expected = [
-        sentence(team, {name: Effect(max(x, 0.0), max(-x, 0.0)) for name, x in effects.items()})
+        sentence(
+            team, deed({name: Effect(max(x, 0.0), max(-x, 0.0)) for name, x in effects.items()})
+        )
         for team, effects in told
     ]
     assert run_node("outcome.mjs", given)["sentences"] == expected

@@ -17,9 +17,8 @@ from matrixworld._util.exit_codes import INTERRUPTED
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld._util.sections import names_in
 from matrixworld.cli import cluster, console, options, pages, setting_options
-from matrixworld.cli.report import counted_runs, report
+from matrixworld.cli.report import counted_runs, place_of, report
 from matrixworld.coevolution import Progress, ProgressBar
-from matrixworld.coevolution.games.pursuit import PursuitSettings
 from matrixworld.coevolution.jobs import job as jobs
 from matrixworld.coevolution.jobs.job import Job
 from matrixworld.coevolution.jobs.play import play_job
@@ -29,7 +28,7 @@ from matrixworld.coevolution.settings.schedules import ALL_SCHEDULES, Against, A
 from matrixworld.explorer import evolve_page
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, GrowingPage
-from matrixworld.world.config import WORLDS, WorldConfig, world_name
+from matrixworld.world.config import WORLDS, WorldConfig
 from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row, variant_name
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
@@ -45,7 +44,7 @@ Occupation: a pursuer captures an evader by reaching its cell. Surrounding: purs
 the border on all four sides capture an evader.
 Other rules can be made in Python: matrixworld.Rules(...)."""
 WORLD_LEGEND = """\
-In these worlds good teams of both sides win about half: the best scripts, and ratings that raced.
+In these worlds good teams of both sides win about half: scripts, and ratings that raced.
 Other options change them, as in --world NAME --n-pursuers 6. In Python: matrixworld.WORLDS."""
 
 
@@ -282,16 +281,8 @@ class Plan(NamedTuple):
     def sentence(self) -> str:
         """The plan in words."""
         settings = next(iter(self.job.values()))
-        name = settings.game.variant
-        teams = " and ".join(dict.fromkeys(settings.teams))
-        if isinstance(settings.game, PursuitSettings):
-            world = settings.game.world
-            pursuers = console.counted(world.n_pursuers, "pursuer")
-            teams = f"{pursuers} and {console.counted(world.n_evaders, 'evader')}"
-            if world_name(world):
-                name = f"{world_name(world)} ({name})"
         count = counted_runs(len(self.job), self.job.values())
-        return f"{name}, {teams}, {count}, in {self.root}"
+        return f"{place_of(settings)}, {count}, in {self.root}"
 
 
 def job_of(chosen: Mapping[str, Any]) -> Job:

@@ -37,10 +37,10 @@ def explain_command(
 ) -> None:
     """Say what teams do.
 
-    Policies that rate moves by named inputs: a sentence, how far each input moves the rating, and
-    what leaving it out costs in matches. Networks over cells: a decision tree that imitates them,
-    with its own score beside theirs, since trees that mostly agree may still play badly. Trees need
-    the extra `explain`.
+    Ratings: what is lost in matches without each of their named inputs, and a sentence of what
+    agents do that is worth something. Programs: what they do case by case. Networks over cells: a
+    decision tree that imitates them, with its own score beside theirs, since trees that mostly
+    agree may still play badly. Trees need the extra `explain`.
 
     RUN is the directory of a run, or of a job of one, which need not be finished. Scores are
     against held-out opponents, in episodes that no other command plays. Of a game of your own

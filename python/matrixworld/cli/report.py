@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import shlex
 import time
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -15,11 +16,11 @@ from tqdm import tqdm
 
 from matrixworld._util.files import save_json
 from matrixworld._util.teams import PLURALS
-from matrixworld.analysis import sentence
+from matrixworld.analysis import Estimate, sentence
 from matrixworld.cli import console, pages
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun
-from matrixworld.coevolution.evaluation.explanation import sentence_of
 from matrixworld.coevolution.evaluation.kept_scores import kept_scores
+from matrixworld.coevolution.evaluation.scores import BESIDE_EPISODES, BestScript, knows
 from matrixworld.coevolution.games.pursuit import PursuitSettings
 from matrixworld.coevolution.groups import RunGroup, by_clarity, grouped
 from matrixworld.coevolution.jobs.job import Job
@@ -27,7 +28,7 @@ from matrixworld.coevolution.settings.race_settings import RaceSettings
 from matrixworld.coevolution.settings.schedules import Against
 from matrixworld.coevolution.types import BOTH, TEAMS, other
 from matrixworld.explorer.runs_page import PAGE
-from matrixworld.world.program import Program
+from matrixworld.world.config import world_name
 
 
 def report(
@@ -66,6 +67,18 @@ def report(
 def counted_runs(count: int, settings: Iterable[RaceSettings]) -> str:
     """Return the number of runs of a job, such as "3 races"; "runs" if a team is alone in some."""
     return console.counted(count, "race" if all(each.is_race for each in settings) else "run")
+
+
+def place_of(settings: RaceSettings) -> str:
+    """Return the game and its teams in words, such as "courtyard (O), 4 pursuers and 4 evaders"."""
+    name = settings.game.variant
+    if not isinstance(settings.game, PursuitSettings):
+        return f"{name}, {' and '.join(dict.fromkeys(settings.teams))}"
+    world = settings.game.world
+    if world_name(world):
+        name = f"{world_name(world)} ({name})"
+    pursuers = console.counted(world.n_pursuers, "pursuer")
+    return f"{name}, {pursuers} and {console.counted(world.n_evaders, 'evader')}"
 
 
 def _groups_of(job: Job, root: Path, finished: Sequence[Path]) -> list[RunGroup]:
@@ -115,42 +128,84 @@ def _print_results(groups: Sequence[RunGroup], root: Path) -> None:
     if of_pursuit:
         console.say()
         console.print_table(_against_strangers(of_pursuit), "<<<<<")
+        console.print_wrapped(_how_scored(of_pursuit[0]))
     for group in of_pursuit:
         _print_what_evolved(group)
 
 
 def _print_what_evolved(group: RunGroup) -> None:
-    """Print in a sentence what each team of the first run does, if its policies rate moves."""
-    run, sentences = group.runs[0], []
-    for team in TEAMS:
-        words = sentence_of(run, team)
-        if words:
-            sentences.append(words)
-            evolved = run.policy(team, seed=0)
-            if isinstance(evolved.policy, Program):
-                sentences.append(f"rating = {evolved.policy.expression(evolved.genome)}")
-    if sentences:
+    """Print what the best generations of the first run do, and in how many runs inputs count."""
+    every = kept_scores(group.runs)
+    told = []
+    for team in PLURALS.values():
+        evolved = every[0][team]["evolved"]
+        if evolved:
+            told.append(f"Generation {evolved['generation']}: {evolved['sentence']}")
+            told += [evolved["text"]] if evolved["text"] else []
+            if len(every) > 1:
+                told += _in_all_seeds(team, [scores[team]["evolved"] for scores in every])
+    if told:
         console.print_head(f"What evolved: {group.name}, seed {group.seeds[0]}")
-        console.print_wrapped("\n".join(sentences))
+        console.print_wrapped("\n".join(told))
+
+
+def _in_all_seeds(team: str, evolved: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return in how many runs each input of a team is worth something, or is better left out."""
+    signs = Counter(
+        (term["input"], Estimate(*(term["lost"][end] for end in ("value", "low", "high"))).sign)
+        for each in evolved
+        for term in each["terms"]
+        if term["lost"]
+    )
+    lines = []
+    for sign, words in ((1, "worth something"), (-1, "better left out")):
+        counts = {name: count for (name, of), count in signs.most_common() if of == sign}
+        if counts:
+            listed = ", ".join(f"{name} {count}" for name, count in counts.items())
+            lines.append(f"In the {len(evolved)} seeds, of {team} {words}: {listed}.")
+    return lines
 
 
 def _against_strangers(groups: Sequence[RunGroup]) -> list[list[str]]:
     """Return a table of the scores of races against held-out opponents, and what stands beside."""
-    scores = kept_scores(groups[0].runs)[0]
-    beside = [scores[PLURALS[team]] for team in TEAMS]
-    scripts = [of_team["best script"] for of_team in beside]
+    beside = kept_scores(groups[0].runs)[0]
+    scripts = _best_scripts(beside)
     return [
         ["score against strangers", *(head for team in BOTH for head in (f"{team}: best", "last"))],
         *map(_mean_scores, groups),
         [
             "the best script",
-            *(cell for name, score in scripts for cell in (f"{score:.2f} {name}", "")),
+            *(cell for one in scripts for cell in (f"{one.score:.2f} {one.name}", "")),
         ],
         [
             "untrained teams",
-            *(cell for each in beside for cell in (f"{each['untrained']:.2f}", "")),
+            *(c for each in PLURALS.values() for c in (f"{beside[each]['untrained']:.2f}", "")),
         ],
     ]
+
+
+def _best_scripts(scores: Mapping[str, Any]) -> list[BestScript]:
+    """Return the best scripts of both teams that kept scores have."""
+    return [BestScript(**scores[team]["best script"]) for team in PLURALS.values()]
+
+
+def _how_scored(group: RunGroup) -> str:
+    """Return where scores were played and how often, and who knows more than its view."""
+    scores = kept_scores(group.runs)[0]
+    both = [scores[team] for team in PLURALS.values()]
+    opponents = " and ".join(str(len(each["against"])) for each in both)
+    scripts = _best_scripts(scores)
+    among = " and ".join(str(script.among) for script in scripts)
+    told = (
+        f"{place_of(group.runs[0].settings)}: {both[0]['episodes']} episodes against each of "
+        f"{opponents} opponents (untrained: {BESIDE_EPISODES}); the best of {among} scripts."
+    )
+    known = {}
+    for team, script in zip(TEAMS, scripts, strict=True):
+        known[PLURALS[team]] = knows(group.runs[0].teams[team].policy)
+        known[script.name] = knows(script.name)
+    beyond = "; ".join(f"{name}: {', '.join(each)}" for name, each in known.items() if each)
+    return f"{told} Known beyond the view: {beyond}." if beyond else told
 
 
 def _mean_scores(group: RunGroup) -> list[str]:

@@ -29,12 +29,13 @@ from numpy.typing import NDArray
 from matrixworld import analysis
 from matrixworld._util.files import DamagedFileError
 from matrixworld._util.readable import plain_values
+from matrixworld._util.teams import PLURALS
 from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.intervals import mean_over_opponents
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.progress import triangle
 from matrixworld.analysis.ratings import ELO_POINTS
-from matrixworld.coevolution.evaluation.explanation import sentence_of
+from matrixworld.coevolution.evaluation.kept_scores import found_scores
 from matrixworld.coevolution.games.own_game import OwnGame
 from matrixworld.coevolution.games.pursuit import PursuitSettings
 from matrixworld.coevolution.games.tournament import tournament
@@ -43,7 +44,7 @@ from matrixworld.coevolution.saved_run import SavedRun, open_run, open_runs
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings.race_settings import RaceSettings
 from matrixworld.coevolution.settings.usual import DEFAULTS, SCHEDULE
-from matrixworld.coevolution.types import BOTH, TEAMS, Payoff, team_size
+from matrixworld.coevolution.types import BOTH, TEAMS, Payoff, Team, team_size
 from matrixworld.episodes.episode import scene
 from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
 from matrixworld.explorer.playground import page_data, playground_page
@@ -215,12 +216,25 @@ def runs_data(
             team: plain_team(each, f"genomes-{n}-{team}", step, genomes)
             for team, each in zip(TEAMS, run.sides, strict=True)
         }
-        for team in TEAMS:
-            if so_far is None and teams[team]["policy"]:
-                teams[team]["words"] = sentence_of(run, team)
+        for team, told in (what_evolved(run) if so_far is None else {}).items():
+            teams[team]["evolved"] = told
         game = plain_game(run, own_games, ended=so_far is None)
         plain.append({**shown, "teams": teams, "game": game})
     return plain, genomes
+
+
+def what_evolved(run: SavedRun) -> dict[Team, Any]:
+    """Return what the best generation of each team does, in words, as far as its scores are kept.
+
+    `matrixworld evolve` keeps them at the end of a job; a page plays none of these matches.
+    """
+    scores = found_scores(run) or {}
+    told: dict[Team, Any] = {}
+    for team in TEAMS:
+        evolved = scores.get(PLURALS[team], {}).get("evolved")
+        if evolved:
+            told[team] = {name: evolved[name] for name in ("generation", "sentence")}
+    return told
 
 
 def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str, Any]:

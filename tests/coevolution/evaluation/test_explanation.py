@@ -7,10 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy import stats
 
 import matrixworld as mw
 from command_line import matrixworld_command
+from matrixworld.analysis import Estimate
 from matrixworld.coevolution.evaluation import effects, explanation, imitation
+from matrixworld.coevolution.evaluation.scores import SCORE
+from matrixworld.coevolution.evaluation.trials import difference
 from matrixworld.coevolution.seeding import explanation_seed
 from matrixworld.coevolution.types import other
 from tiny_race import played, tiny_race, tiny_single
@@ -60,7 +64,7 @@ SENTENCES = [
 
 @pytest.mark.parametrize(("team", "moved", "expected"), SENTENCES)
 def test_sentences(team, moved, expected):
-    assert effects.sentence(team, moved) == expected
+    assert effects.sentence(team, effects.deed(moved)) == expected
     assert [*effects.PHRASES] == [*mw.INPUTS]
 
 
@@ -88,8 +92,56 @@ def test_what_is_said_is_done(name, weight, pursuer, evader):
     of_moves = np.take_along_axis(x, moves[:, None], axis=1)[:, 0]
     assert weight * (of_moves - mean).mean() > 0.01
     for team, does in (("pursuer", pursuer), ("evader", evader)):
-        told = explanation.explain(acts, team, WORLD, episodes=2)
-        assert told.sentence == effects.in_words(team, f"{{A}} {team} {does}.")
+        [term] = explanation.explain(acts, team, WORLD, episodes=2).terms
+        assert effects.in_words(team, term.does) == does
+
+
+def term(name, effect, lost, low, high):
+    lost = Estimate(lost, low, high, "episodes", 100)
+    return effects.Term(name, effect, effect, (), max(effect, 0.0), max(-effect, 0.0), lost)
+
+
+WORTH = [
+    (
+        [
+            term("ahead", 0.1, 0.412, 0.4, 0.424),
+            term("adversary", -3.0, 0.05, 0.01, 0.09),
+            term("room", 9.0, 0.01, -0.001, 0.0211),
+            term("exits", 0.0, 0.0, 0.0, 0.0),
+            term("open_side", -4.0, -0.02, -0.03, -0.01),
+            term("pressure", 5.0, -0.061, -0.08, -0.02),
+        ],
+        "A pursuer keeps its direction (worth 0.412 of capture rate) and goes for the nearest "
+        "evader (0.050). By themselves these cost nothing, or at most 0.022: room and exits. "
+        "Scores better without pressure (0.061) and open_side (0.020).",
+    ),
+    (
+        [term("room", 9.0, 0.0, 0.0, 0.0)],
+        "No input is worth something by itself. By itself this costs nothing: room.",
+    ),
+    (
+        [term("teammate", -9.0, 0.3, 0.2, 0.4)],
+        "A pursuer keeps close to a teammate (worth 0.300 of capture rate).",
+    ),
+]
+
+
+@pytest.mark.parametrize(("terms", "expected"), WORTH)
+def test_inputs_are_named_by_what_is_lost_without_them(terms, expected):
+    """However far they move ratings."""
+    assert effects.sentence_of_worth("pursuer", "capture rate", terms) == expected
+
+
+def test_an_input_that_does_nothing_is_hardly_ever_named():
+    """What is lost without it is chance alone; of several, none is named in 95 % of teams."""
+    rng = np.random.default_rng(5)
+    teams, count, false = 400, 9, 0
+    level = effects.level_of_each(count)
+    for _ in range(teams):
+        rates = rng.binomial(4, 0.6, size=(count + 1, 7, 100)) / 4  # opponents, episodes
+        losses = [difference(rates[0], each, level) for each in rates[1:]]
+        false += any(lost.sign for lost in losses)
+    assert stats.binomtest(false, teams, 0.05).pvalue > 0.01 or false < 0.05 * teams
 
 
 @pytest.mark.parametrize(("team", "weight", "said"), [("pursuer", -1, 0), ("evader", 1, 1)])
@@ -98,15 +150,17 @@ def test_a_chaser_and_a_fleer_are_told(team, weight, said):
     told = explanation.explain(
         rating([weight, 0], ("adversary", "exits")), team, WORLD, episodes=12
     )
-    assert told.sentence == SENTENCES[said][2]
     adversary, exits = told.terms
+    worth = f"(worth {adversary.lost.value:.3f} of {SCORE[team]})"
+    does = f"{SENTENCES[said][2][:-1]} {worth}."
+    assert told.sentence == f"{does} By itself this costs nothing: exits."
     assert (adversary.input, adversary.weight) == ("adversary", weight)
     assert np.sign(adversary.effect) == weight
-    assert adversary.cost is not None
-    assert adversary.cost.sign == 1  # without it, any move is as good
-    assert exits.cost is not None
-    assert exits.cost.ends == (0.0, 0.0)
-    table = str(told).splitlines()[-1]
+    assert adversary.lost is not None
+    assert adversary.lost.sign == 1  # without it, any move is as good
+    assert exits.lost is not None
+    assert exits.lost.ends == (0.0, 0.0)
+    table = str(told).splitlines()[-2]
     assert re.match(rf"adversary +{weight}.000 .*[+-]█{{10}} ", table)
 
 
@@ -131,8 +185,13 @@ def test_an_input_left_out_is_one_that_the_policy_does_not_have(hidden):
         genome = np.delete(acts.genome, slice(place * width, (place + 1) * width))
         other = mw.score_policy(mw.Population(genome, fewer), "pursuer", WORLD, **match)
         [term] = [term for term in told.terms if term.input == name]
-        assert term.cost is not None
-        assert term.cost.value == pytest.approx((own.means - other.means)[0])
+        assert term.lost is not None
+        assert term.lost.value == pytest.approx((own.means - other.means)[0])
+        # Three intervals hold together at 95 %.
+        differences = (own.rates - other.rates)[0].mean(axis=0)
+        half = stats.t.ppf(1 - 0.05 / 3 / 2, 5) * stats.sem(differences)
+        ends = np.clip(differences.mean() + half * np.array([-1, 1]), -1, 1)
+        np.testing.assert_allclose(term.lost.ends, ends, rtol=1e-6)
         assert term.weight == (None if hidden else acts.genome[place])
 
 
@@ -321,8 +380,10 @@ def test_a_program_that_is_a_weighted_sum_has_the_terms_of_the_rating():
     acts = rating([-2, 1], ("adversary", "room"))
     told = explanation.explain(program, "pursuer", WORLD, episodes=2)
     expected = explanation.explain(acts, "pursuer", WORLD, episodes=2)
-    assert told.sentence == expected.sentence
-    for one, other_one in zip(told.terms, expected.terms, strict=True):
+    moved = {each.input: effects.Effect(each.rises, each.falls) for each in expected.terms}
+    assert told.sentence == effects.sentence("pursuer", effects.deed(moved))
+    for one in told.terms:
+        [other_one] = [each for each in expected.terms if each.input == one.input]
         assert (one.input, one.weight) == (other_one.input, other_one.weight)
         assert one.effect == pytest.approx(other_one.effect, rel=0.2)  # of other draws
     policy = mw.Program.for_config(WORLD)

@@ -144,7 +144,7 @@ def test_the_best_generation_is_chosen_on_episodes_that_no_score_is_from(race, m
 def test_the_best_script_of_a_team_meets_what_a_run_meets():
     world = mw.WorldConfig("O", size=9, n_pursuers=2, n_evaders=3, max_steps=30)
     found, scores = best_scripts(world, episodes=6), {}
-    for script in ("random", "clumsy-chaser", "chaser", "hunter", *CAREFUL):
+    for script in ("random", "clumsy-chaser", "chaser", "hunter", "careful-random", *CAREFUL):
         rates = []
         for number, opponent in enumerate(held_out("evader", "O").values()):
             seed = match_seed(0, 0, number, int(Phase.HELD_OUT))
@@ -152,7 +152,7 @@ def test_the_best_script_of_a_team_meets_what_a_run_meets():
             rates.append(mw.rollout(world, script, opponent, matches, episodes=6).capture_rate)
         scores[script] = float(np.mean(rates))
     best = max(scores, key=lambda script: scores[script])
-    assert found["pursuer"] == (best, pytest.approx(scores[best]))
+    assert found["pursuer"] == (best, pytest.approx(scores[best]), len(scores))
     assert found["evader"][0].removeprefix("careful-") in ("fleer", "dodger")
 
 

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 2691c4b684fc8255f7fa8be374df2d730627c6ae3197b6ed4b18c130dca317ed */
+/* built from web/ by "npm run build"; sources bed0dcee01b0002bf323ce9ebfe408b11b5913837c3596c09fdc3eb1551f1e1d */
 (()=>{var oe=[.5,1,2,4,8,16,32,64],we=0,xe=12,kn=2,be=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),this.#e=e,this.#r=r,this.#n=n}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){return this.#s}get length(){
 return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i("state")}get ticks(){return this.#h}set ticks(e){

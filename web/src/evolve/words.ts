@@ -1,4 +1,5 @@
-// What a team of ratings does, in a sentence: that of `matrixworld explain`, from the matches of the page.
+// What a team of ratings does, in a sentence: by how far its inputs move ratings in matches of the page,
+// which does not say what they are worth.
 
 import type { Engine, Match } from "../engine/engine.ts";
 import type { OfTeams, Team } from "../engine/teams.ts";

@@ -37,8 +37,8 @@ export interface TeamData {
   readonly expressions?: readonly string[];
   /** The same as weights by input, where the program is a weighted sum of inputs. */
   readonly weights?: readonly (WeightsOf | null)[];
-  /** What the last generation does, in words; empty where nobody says it. */
-  readonly words?: string;
+  /** What the best generation against held-out opponents does, in words, where it has been played. */
+  readonly evolved?: { readonly generation: number; readonly sentence: string };
 }
 
 export interface Payoff {

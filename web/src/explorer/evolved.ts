@@ -15,7 +15,7 @@ import type { Store } from "./store.ts";
 
 /** The selected generations; none for networks over cells of which nobody says anything. */
 export function evolvedPanel(run: Run, store: Store): Panel | null {
-  if (TEAMS.every((team) => !run.teams[team].words && !ratesMoves(run, team))) return null;
+  if (TEAMS.every((team) => !run.teams[team].evolved && !ratesMoves(run, team))) return null;
   const place = html("div", { class: "evolved" });
   return {
     element: card(
@@ -28,17 +28,19 @@ export function evolvedPanel(run: Run, store: Store): Panel | null {
 }
 
 function ofTeam(run: Run, team: Team, generation: number): HTMLElement {
-  const { words, kept } = run.teams[team];
+  const { evolved } = run.teams[team];
   const problem = whyNot(run, team, generation);
   const name = run.teams[team].script ?? generationName(run, team, generation);
   return html(
     "section",
     { "aria-label": gameWords(run).teams[team] },
     html("h3", { class: team }, capital(name)),
-    words && generation === kept.at(-1) ? html("p", {}, words) : null,
     ...(problem
       ? [html("p", { class: "small muted" }, problem)]
       : shownPolicy(run, team, generation, policyOf(run, team, generation))),
+    evolved
+      ? html("p", {}, `Generation ${evolved.generation}, the best against strangers: ${evolved.sentence}`)
+      : null,
   );
 }
 

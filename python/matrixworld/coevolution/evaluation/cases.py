@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.evaluation.effects import ANY_MOVE, deed, effect_of, in_words, listed
+from matrixworld.coevolution.evaluation.effects import deed, effect_of, in_words, listed, sentence
 from matrixworld.coevolution.types import Team
 from matrixworld.play.policies import RatingPolicy
 from matrixworld.world.program import Call, Constant, Input, Node, Program, cases_of, expression_of
@@ -81,7 +81,7 @@ def sentence_of_program(team: Team, policy: RatingPolicy, seen: NDArray[np.float
             found.append((case, moves))
     deeds = [_deed_of(program, case.tree, seen, moves) for case, moves in found]
     if len(found) == 1:
-        return in_words(team, f"{{A}} {team} {deeds[0] or ANY_MOVE}.")
+        return sentence(team, deeds[0])
     told = []
     for number, ((case, moves), does) in enumerate(zip(found, deeds, strict=True), start=1):
         tests = " and ".join(_test_in_words(team, program, test) for test in case.tests)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from itertools import count
 from typing import Any, NamedTuple
@@ -9,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.analysis import Estimate
+from matrixworld.analysis import Estimate, intervals
 from matrixworld.coevolution.evaluation.trials import Trials, difference, mean_score
 from matrixworld.coevolution.types import Genome, Team
 from matrixworld.episodes.record import record
@@ -105,8 +106,13 @@ class Term(NamedTuple):
     those whose rating goes the way of the input and those whose rating goes against it. In a
     weighted sum one of them is 0, and the other one is the size of the weight multiplied by the
     standard deviation of the input among these moves."""
-    cost: Estimate | None = None
+    lost: Estimate | None = None
     """Score lost if the input is left out: all weights that it enters by are 0."""
+
+    @property
+    def does(self) -> str:
+        """What an agent does by the input, for `in_words`."""
+        return _by_input(self.input, Effect(self.rises, self.falls))
 
 
 class Effect(NamedTuple):
@@ -116,9 +122,9 @@ class Effect(NamedTuple):
     falls: float
 
 
-def sentence(team: Team, effects: Mapping[str, Effect]) -> str:
-    """Return in a sentence what an agent does by the effects of its inputs."""
-    return in_words(team, f"{{A}} {team} {deed(effects) or ANY_MOVE}.")
+def sentence(team: Team, does: str) -> str:
+    """Return in a sentence what an agent does: a `deed`."""
+    return in_words(team, f"{{A}} {team} {does or ANY_MOVE}.")
 
 
 def in_words(team: Team, text: str) -> str:
@@ -135,17 +141,45 @@ def deed(effects: Mapping[str, Effect]) -> str:
     shares = {name: Effect(*(size / largest for size in effects[name])) for name in names}
     clear = [name for name in names if max(shares[name]) >= CLEAR]
     slight = [name for name in names if SLIGHT <= max(shares[name]) < CLEAR]
-    clauses = []
-    for name in clear[:MOST_CLEAR]:
-        phrase, (rises, falls) = PHRASES[name], shares[name]
-        if min(rises, falls) >= CLEAR:
-            clauses.append(f"now {phrase.falls}, now {phrase.rises}")
-        else:
-            clauses.append(phrase.rises if rises > falls else phrase.falls)
+    clauses = [_by_input(name, shares[name], CLEAR) for name in clear[:MOST_CLEAR]]
     if slight:
         objects = [PHRASES[name].minded for name in slight[:MOST_SLIGHT]]
         clauses.append(f"minds {listed(objects)} little")
     return listed(clauses)
+
+
+def _by_input(name: str, effect: Effect, least: float | None = None) -> str:
+    """Return what an agent does by an input: both ways if both effects are at least so large.
+
+    The `least` is by default `CLEAR` of the larger one.
+    """
+    phrase = PHRASES[name]
+    if min(effect) >= (CLEAR * max(effect) if least is None else least) > 0.0:
+        return f"now {phrase.falls}, now {phrase.rises}"
+    return phrase.rises if effect.rises > effect.falls else phrase.falls
+
+
+def sentence_of_worth(team: Team, score: str, terms: Sequence[Term]) -> str:
+    """Return in sentences what an agent does that is worth something, and what costs nothing.
+
+    Its `terms` know what is `lost` without each, most first; the score of a team is called `score`.
+    """
+    losses = {term: term.lost for term in terms if term.lost is not None}
+    worth = [(term, lost.value) for term, lost in losses.items() if lost.sign > 0]
+    harm = [(term, -lost.value) for term, lost in losses.items() if lost.sign < 0]
+    other = {term.input: lost.ends[1] for term, lost in losses.items() if lost.sign == 0}
+    deeds = [f"{term.does} ({value:.3f})" for term, value in worth]
+    deeds[:1] = [f"{term.does} (worth {value:.3f} of {score})" for term, value in worth[:1]]
+    told = f"{{A}} {team} {listed(deeds)}." if deeds else "No input is worth something by itself."
+    if other:
+        most = max(other.values())
+        upto = f", or at most {math.ceil(1000 * most) / 1000:.3f}" if most > 0.0 else ""
+        words = "By itself this costs" if len(other) == 1 else "By themselves these cost"
+        told += f" {words} nothing{upto}: {listed([*other])}."
+    if harm:
+        without = [f"{term.input} ({value:.3f})" for term, value in reversed(harm)]
+        told += f" Scores better without {listed(without)}."
+    return in_words(team, told)
 
 
 def listed(parts: Sequence[str]) -> str:
@@ -242,15 +276,23 @@ def _dependence(
 
 
 def without_each(trials: Trials, terms: Sequence[Term]) -> tuple[Estimate, list[Term]]:
-    """Return the score of a policy, and its terms with the costs of leaving their inputs out."""
+    """Return the score of a policy, and its terms with what is lost without each, most first.
+
+    The intervals hold for all inputs together at the usual level: each has Bonferroni's.
+    """
     policy: Any = trials.policy
     left_out = [policy.policy.without(policy.genome, term.input) for term in terms]
     team = Population(np.stack([policy.genome, *left_out]), policy.policy)
     own, *others = trials.scores(team, 0)
-    costs = [difference(own, rates) for rates in others]
-    return mean_score(own), [
-        term._replace(cost=cost) for term, cost in zip(terms, costs, strict=True)
-    ]
+    level = level_of_each(len(terms))
+    lost = [difference(own, rates, level) for rates in others]
+    order = sorted(range(len(terms)), key=lambda place: -lost[place].value)
+    return mean_score(own), [terms[place]._replace(lost=lost[place]) for place in order]
+
+
+def level_of_each(count: int) -> float:
+    """Return the level of each of so many intervals that hold together at the usual one."""
+    return 1.0 - (1.0 - intervals.LEVEL) / count
 
 
 def pruned(trials: Trials) -> tuple[Genome, Estimate | None]:

@@ -1,7 +1,7 @@
 """What a team does, in words and numbers: what each input is worth, or a tree that imitates it.
 
-A policy that rates moves is told by its inputs: how far each moves the rating, and what leaving it
-out costs in matches (`effects`). A network over cells is told by a decision tree (`imitation`).
+A rating is told by what is lost in matches without each of its inputs (`effects`), a program by
+what its parts do to the rating (`cases`), a network over cells by a decision tree (`imitation`).
 Matches are against held-out opponents, in episodes of their own (`trials`).
 """
 
@@ -15,11 +15,10 @@ from matrixworld._util import checks, readable
 from matrixworld.analysis import Estimate
 from matrixworld.coevolution.evaluation.cases import sentence_of_program
 from matrixworld.coevolution.evaluation.effects import (
-    Effect,
     Term,
     inputs_seen,
     pruned,
-    sentence,
+    sentence_of_worth,
     terms_of,
     without_each,
 )
@@ -27,7 +26,6 @@ from matrixworld.coevolution.evaluation.held_out import opponents_of
 from matrixworld.coevolution.evaluation.imitation import DEPTH, DEPTHS, Tree, imitated
 from matrixworld.coevolution.evaluation.scores import SCORE, opponents_in
 from matrixworld.coevolution.evaluation.trials import EPISODES, Trials, mean_score
-from matrixworld.coevolution.games.pursuit import Network, Program, PursuitSettings
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.stored import StoredRun
 from matrixworld.coevolution.types import Team
@@ -36,6 +34,7 @@ from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TeamPolicy
 
 IMITATED = "A tree imitates the network; how well, its score tells rather than its agreement."
+TOGETHER = "The 95 % intervals hold for all inputs together."
 BLOCKS = 10  # length of the bar of the largest effect
 
 
@@ -69,6 +68,8 @@ class Explanation(readable.Readable):
             lost = f"{SCORE[self.team]} lost without it"
             head = ("input", "weight" if is_weighted_sum else "rating", "effect", "", lost)
             parts.append([head, *rows])
+            if any(term.lost for term in self.terms):
+                parts.append(TOGETHER)
         if self.text:
             parts.append(self.text)
         return parts
@@ -78,7 +79,7 @@ class Explanation(readable.Readable):
         largest = max((abs(term.effect) for term in self.terms), default=0.0) or 1.0
         rows: list[tuple[str, ...]] = []
         for term in self.terms:
-            if not term.effect and not (term.cost and term.cost.value):
+            if not term.effect and not (term.lost and term.lost.value):
                 continue
             blocks = round(BLOCKS * abs(term.effect) / largest)
             rows.append(
@@ -87,7 +88,7 @@ class Explanation(readable.Readable):
                     _curve(term.dependence) if term.weight is None else f"{term.weight:.3f}",
                     f"{term.effect:.3f}",
                     ("-" if term.effect < 0 else "+") + "█" * blocks,
-                    _in_words(term.cost) if term.cost else "",
+                    _in_words(term.lost) if term.lost else "",
                 )
             )
         return rows
@@ -109,29 +110,31 @@ def _in_words(cost: Estimate) -> str:
     return str(cost) if cost.sign else f"{cost}, cannot tell"
 
 
-def sentence_of(run: StoredRun, team: Team) -> str:
-    """Return in a sentence what the last generation of a team does, if it rates moves; else ""."""
-    game = run.settings.game
-    plays = run.teams[run.key_of(team)]
-    if not isinstance(game, PursuitSettings) or not hasattr(plays, "genomes"):
-        return ""
-    if isinstance(plays.policy, Network):
-        return ""
-    policy = run.policy(team, seed=0)
-    opponents, _ = opponents_in(run, team, game.world)
-    return sentence_and_terms(Trials(policy, team, game.world, opponents))[0]
+def in_short(
+    run: StoredRun,
+    team: Team,
+    generation: int,
+    *,
+    threads: int | None = None,
+    report: Report = silent,
+) -> Explanation | None:
+    """Return what a generation of a team does, if that takes seconds to find.
 
-
-def sentence_and_terms(trials: Trials) -> tuple[str, list[Term]]:
-    """Return in a sentence what a policy does that rates moves, and what each input does in it."""
-    policy = trials.policy
-    assert isinstance(policy, RatingPolicy)
-    seen = inputs_seen(trials)
-    terms = terms_of(policy, seen)
-    if isinstance(policy.policy, Program):
-        return sentence_of_program(trials.team, policy, seen), terms
-    effects = {term.input: Effect(term.rises, term.falls) for term in terms}
-    return sentence(trials.team, effects), terms
+    Of a rating it is all that `explain` says, of a program not what its parts are worth. None for
+    networks over cells, which take a tree.
+    """
+    policy = run.policy(team, generation, seed=0)
+    if policy.policy.kind == "cells":
+        return None
+    world = run.pursuit.world
+    opponents, _ = opponents_in(run, team, world)
+    trials = Trials(policy, team, world, opponents, threads=threads, report=report)
+    if policy.policy.kind == "rating":
+        return _of_rating(trials, generation)
+    words, terms = _of_cases(trials)
+    [own] = trials.scores(policy.population(), 0)
+    text = f"rating = {policy.policy.expression(policy.genome)}"
+    return Explanation(team, generation, mean_score(own), words, text, tuple(terms))
 
 
 def explain(
@@ -164,16 +167,31 @@ def explain(
         return Explanation(team, generation, score, IMITATED, rules, tree=tree)
     if kind == "program":
         return _of_program(trials, generation)
-    words, terms = sentence_and_terms(trials)
-    score, terms = without_each(trials, terms)
-    return Explanation(team, generation, score, words, terms=tuple(terms))
+    return _of_rating(trials, generation)
+
+
+def _of_rating(trials: Trials, generation: int) -> Explanation:
+    """Explain a rating by what is lost without each of its inputs."""
+    policy = trials.policy
+    assert isinstance(policy, RatingPolicy)
+    score, terms = without_each(trials, terms_of(policy, inputs_seen(trials)))
+    words = sentence_of_worth(trials.team, SCORE[trials.team], terms)
+    return Explanation(trials.team, generation, score, words, terms=tuple(terms))
+
+
+def _of_cases(trials: Trials) -> tuple[str, list[Term]]:
+    """Return in a sentence what a program does, and what each input does in it."""
+    policy = trials.policy
+    assert isinstance(policy, RatingPolicy)
+    seen = inputs_seen(trials)
+    return sentence_of_program(trials.team, policy, seen), terms_of(policy, seen)
 
 
 def _of_program(trials: Trials, generation: int) -> Explanation:
     """Explain a program by its inputs, and without the parts that are worth nothing."""
     policy: Any = trials.policy
     code, loss = pruned(trials)
-    words, terms = sentence_and_terms(trials)
+    words, terms = _of_cases(trials)
     [own] = trials.scores(policy.population(), 0)
     text: str = policy.to_python()
     if loss is not None:

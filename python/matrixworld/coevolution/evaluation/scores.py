@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cache, partial
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,7 @@ from matrixworld.coevolution.runs.stored import StoredRun
 from matrixworld.coevolution.settings.schedules import Against
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population, Script, TeamPolicy
+from matrixworld.world.policy import CAREFUL, Policy, Population, Script, TeamPolicy
 
 SCORE = dict(zip(TEAMS, Pursuit.score_words, strict=True))  # what the score of a team is called
 EPISODES = 100  # episodes of each pair, if nothing else is asked for
@@ -276,23 +276,66 @@ def best_generations(
     return best
 
 
-@cache
-def best_scripts(config: WorldConfig, *, episodes: int) -> dict[Team, tuple[Script, float]]:
-    """Return the script of each team with the highest mean score in a world, and this score.
+class BestScript(NamedTuple):
+    """The script of a team with the highest mean score in a world, of so many that can play."""
 
-    Careful scripts are among them. The best of several is partly luck: of equally good scripts, the
-    score tends to be too high.
+    name: Script
+    score: float
+    among: int
+
+
+@cache
+def best_scripts(
+    config: WorldConfig, *, episodes: int, seed: int = SEED, threads: int | None = None
+) -> dict[Team, BestScript]:
+    """Return the best script of each team in a world, against held-out opponents.
+
+    All scripts that make sense are asked, careful ones, too. The best of several is partly luck: of
+    equally good scripts, the score tends to be too high.
     """
-    best: dict[Team, tuple[Script, float]] = {}
+    best: dict[Team, BestScript] = {}
     for team in TEAMS:
         opponents, _ = opponents_of(team, config)
         means: dict[Script, float] = {}
         for script in scripts_for(team, config):
-            rates = play_held_out(config, team, script, opponents, episodes=episodes, seed=SEED)
+            rates = play_held_out(
+                config, team, script, opponents, episodes=episodes, seed=seed, threads=threads
+            )
             means[script] = float(rates.mean(axis=(1, 2))[0])
         script = max(means, key=lambda name: means[name])
-        best[team] = (script, means[script])
+        best[team] = BestScript(script, means[script], len(means))
     return best
+
+
+RIGHT_OF_WAY, COURSE, PLAN = "right of way", "a direction for 12 steps", "a plan of their team"
+BEYOND_VIEW: dict[str, str] = {
+    "must_yield": RIGHT_OF_WAY,
+    "ahead": COURSE,
+    "search": PLAN,
+    "hunter": COURSE,
+    "surrounder": COURSE,
+    "team-surrounder": PLAN,
+}
+"""What inputs and scripts know beyond a view; right of way takes the step and numbers of agents."""
+
+
+def knows(player: Script | Policy) -> tuple[str, ...]:
+    """Return what a script or a policy knows beyond the view of its agents, in words.
+
+    >>> knows("careful-hunter")
+    ('right of way', 'a direction for 12 steps')
+    """
+    found = []
+    if isinstance(player, str):
+        if player.startswith(CAREFUL):
+            found.append(RIGHT_OF_WAY)
+        found.append(BEYOND_VIEW.get(player.removeprefix(CAREFUL), ""))
+    else:
+        if getattr(player, "mask", "") == "right-of-way":
+            found.append(RIGHT_OF_WAY)
+        found += [BEYOND_VIEW.get(name, "") for name in getattr(player, "inputs", ())]
+        found.append("their past" if player.memory != "none" else "")
+    return tuple(dict.fromkeys(filter(None, found)))
 
 
 def score_runs(

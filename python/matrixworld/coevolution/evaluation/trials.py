@@ -16,7 +16,7 @@ from matrixworld.play.policies import GenomePolicy
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TeamPolicy
 
-EPISODES = 40  # episodes against each opponent, if nothing else is asked for
+EPISODES = 100  # episodes against each opponent, if nothing else is asked for
 
 
 @dataclass(frozen=True)
@@ -65,8 +65,8 @@ def mean_score(rates: FloatArray) -> Estimate:
     return analysis.mean_over_episodes(rates.mean(axis=0))
 
 
-def difference(one: FloatArray, another: FloatArray) -> Estimate:
+def difference(one: FloatArray, another: FloatArray, level: float = intervals.LEVEL) -> Estimate:
     """Return the difference of two scores (opponents, episodes) in the same episodes."""
     by_episode = (one - another).mean(axis=0)
-    low, high = intervals.t_ends(by_episode, intervals.LEVEL, (-1.0, 1.0))
+    low, high = intervals.t_ends(by_episode, level, (-1.0, 1.0))
     return Estimate(float(by_episode.mean()), low, high, "episodes", len(by_episode))

@@ -1,0 +1,179 @@
+"""Does "What evolved" name the inputs that are worth something? Its verdicts beside the truth.
+
+    python evolution/input_worth.py --threads 1   an hour of one core
+    python evolution/input_worth.py --quick       two seeds of short races, some seconds
+
+`matrixworld evolve` ends with what the best generation of each team loses without each of its
+inputs, in 100 episodes against each held-out opponent, the same with the input and without. An
+input is *named* if the interval of its loss lies above 0, or below ("scores better without"); the
+intervals are adjusted for the number of inputs. Two seeds of three schedules in each of the
+worlds with names, raced as `matrixworld evolve` does.
+
+The *truth* is the loss in 500 other episodes against each opponent. Counted are inputs named
+whose truth has the other sign, and named ones by the size of the truth.
+
+Inputs that do nothing: the same team plays without its input, which changes nothing but chance, in
+other episodes of the same number. Nine such losses are judged as those of nine inputs are, with the
+same score beside all of them. At most 5 % of such teams should have one named. What is lost without
+an input of weight 0 is exactly 0, and it is never named.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+from scipy import stats
+
+from balanced_races import kinds
+from common import Numbers, Runs, by_seed, experiment, kept, markdown
+from matrixworld._util.teams import PLURALS
+from matrixworld.coevolution import TEAMS, SavedRun, Team
+from matrixworld.coevolution.evaluation.effects import (
+    inputs_seen,
+    level_of_each,
+    terms_of,
+    without_each,
+)
+from matrixworld.coevolution.evaluation.scores import opponents_in
+from matrixworld.coevolution.evaluation.trials import EPISODES, Trials, difference
+
+SEEDS, FIRST_SEED = 2, 500
+TRUTH, QUICK_EPISODES, QUICK_TRUTH = 500, 4, 8
+OTHER = 10**6
+"""Seed of the episodes of the truth."""
+NULLS = 3
+"""Sets of nine inputs that do nothing, for each team."""
+SIZES = (0.005, 0.01, 0.02, 0.05, 1.0)
+"""Upper ends of the classes of true losses, by their size."""
+
+
+def of_team(run: SavedRun, team: Team, quick: bool) -> dict[str, Any]:
+    """Return effects, losses and true losses of the inputs, and how many nothings are named."""
+    policy = run.best(team)
+    world = run.settings.game.world
+    opponents, _ = opponents_in(run, team, world)
+    episodes, many = (QUICK_EPISODES, QUICK_TRUTH) if quick else (EPISODES, TRUTH)
+    trials = Trials(policy, team, world, opponents, episodes=episodes, threads=1)
+    others = Trials(policy, team, world, opponents, OTHER, many, threads=1)
+    terms = terms_of(policy, inputs_seen(trials))
+    _, judged = without_each(trials, terms)
+    _, true = without_each(others, terms)
+    told = {term.input: term.lost for term in judged}
+    truth = {term.input: term.lost for term in true}
+    names = sorted(told)
+    return {
+        "names": names,
+        "effect": [max(t.rises, t.falls) for t in sorted(terms, key=lambda t: t.input)],
+        "lost": [[told[name].value, *told[name].ends] for name in names],
+        "truth": [[truth[name].value, *truth[name].ends] for name in names],
+        "nothings": [nothings_named(trials, len(names), number) for number in range(NULLS)],
+    }
+
+
+def nothings_named(trials: Trials, count: int, number: int) -> int:
+    """Return how many of so many inputs that do nothing are named."""
+    first = 2 + number * (count + 1)
+    own, *others = (trials.scores(trials.policy, first + k)[0] for k in range(count + 1))
+    level = level_of_each(count)
+    return sum(difference(own, rates, level).sign != 0 for rates in others)
+
+
+def numbers_of(run: SavedRun, quick: bool) -> dict[str, Any]:
+    """Return the numbers of both teams of a run."""
+    found = {}
+    for team in TEAMS:
+        file = run.path.with_suffix(f".{team}.json")
+        of_one = kept(file, partial(of_team, run, team, quick))
+        found |= {f"{team} {name}": np.array(values) for name, values in of_one.items()}
+    return found
+
+
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return the numbers of all runs; files beside them keep the numbers."""
+    return by_seed(runs, partial(numbers_of, quick=quick))
+
+
+def stacked(numbers: Numbers, name: str, teams: tuple[Team, ...] = TEAMS) -> np.ndarray:
+    """Return a number of all runs and of some teams: (teams of runs, ...)."""
+    ends = tuple(f" / {team} {name}" for team in teams)
+    return np.concatenate([values for key, values in numbers.items() if key.endswith(ends)])
+
+
+def signs(ends: np.ndarray) -> np.ndarray:
+    """Return 1, -1 or 0 of intervals (..., 3), a value and both ends, above, below or around 0."""
+    return (ends[..., 1] > 0).astype(int) - (ends[..., 2] < 0)
+
+
+def table(numbers: Numbers) -> str:
+    """Return how often inputs are named, by their true loss, in Markdown."""
+    lost, truth = stacked(numbers, "lost"), stacked(numbers, "truth")
+    named = signs(lost)
+    wrong = (named * signs(truth) < 0) | ((named != 0) & (named * truth[..., 0] <= 0))
+    rows = []
+    for low, high in zip((0.0, *SIZES), SIZES, strict=False):
+        for sign, words in ((1, "worth"), (-1, "harm")):
+            size = sign * truth[..., 0]
+            inside = (size >= low) & (size < high) if sign > 0 else (size > low) & (size <= high)
+            counts = [int((named[inside] == each).sum()) for each in (1, 0, -1)]
+            rows.append([f"{words} {low:g} to {high:g}", str(int(inside.sum())), *map(str, counts)])
+    heads = ["true loss without the input", "inputs", "named: worth something", "not named"]
+    parts = [markdown([*heads, "named: better without"], rows)]
+    nothings = stacked(numbers, "nothings")
+    teams = len(lost)
+    rows = [
+        [
+            "inputs named whose true loss has the other sign",
+            f"{int(wrong.sum())} of {int((named != 0).sum())}",
+        ],
+        ["teams with such an input", f"{int(wrong.any(axis=1).sum())} of {teams}"],
+        [
+            "intervals without the true loss (5 % / 9 inputs is nominal)",
+            f"{int(((truth[..., 0] < lost[..., 1]) | (truth[..., 0] > lost[..., 2])).sum())} of "
+            f"{named.size}",
+        ],
+        [
+            "teams of nine inputs that do nothing, one of them named (5 % is nominal)",
+            f"{int((nothings > 0).sum())} of {nothings.size}, {(nothings > 0).mean():.1%}",
+        ],
+        [
+            "inputs that do nothing, named",
+            f"{int(nothings.sum())} of {nothings.size * lost.shape[1]}",
+        ],
+        ["half width of an interval, median", f"{np.median(lost[..., 2] - lost[..., 1]) / 2:.3f}"],
+    ]
+    parts.append(markdown(["", "count"], rows))
+    rows = []
+    for team in TEAMS:
+        names = stacked(numbers, "names", (team,))[0]
+        of_one = stacked(numbers, "truth", (team,))[..., 0]
+        verdicts = signs(stacked(numbers, "lost", (team,)))
+        for place in np.argsort(-of_one.mean(axis=0)):
+            counts = [int((verdicts[:, place] == each).sum()) for each in (1, -1)]
+            size = f"{of_one[:, place].mean():+.3f}"
+            ends = f"{of_one[:, place].min():+.3f} to {of_one[:, place].max():+.3f}"
+            rows.append([PLURALS[team], str(names[place]), size, ends, *map(str, counts)])
+    effects = stacked(numbers, "effect")
+    order = stats.spearmanr(effects.ravel(), truth[..., 0].ravel()).statistic
+    first = np.argmax(effects, axis=1)
+    unnamed = int((named[np.arange(teams), first] <= 0).sum())
+    heads = ["", "input", "mean true loss", "least to most", "worth something", "better without"]
+    parts.append(markdown(heads, rows))
+    parts.append(
+        f"Effect on ratings and true loss: rank correlation {order:.2f} over {effects.size} inputs "
+        f"of {teams} teams. The input of the largest effect is not worth something in {unnamed} of "
+        f"{teams} teams."
+    )
+    return "\n\n".join(parts)
+
+
+if __name__ == "__main__":
+    experiment(
+        __doc__,
+        kinds=kinds,
+        measure=measured,
+        table=table,
+        seeds=SEEDS,
+        first_seed=dict.fromkeys(kinds(False), FIRST_SEED),
+    )
