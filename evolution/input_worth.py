@@ -9,7 +9,7 @@ input is *named* if the interval of its loss lies above 0, or below ("scores bet
 intervals are adjusted for the number of inputs. Two seeds of three schedules in each of the
 worlds with names, raced as `matrixworld evolve` does.
 
-The *truth* is the loss in 500 other episodes against each opponent. Counted are inputs named
+The *truth* is the loss in 400 other episodes against each opponent. Counted are inputs named
 whose truth has the other sign, and named ones by the size of the truth.
 
 Inputs that do nothing: the same team plays without its input, which changes nothing but chance, in
@@ -29,18 +29,14 @@ from scipy import stats
 from balanced_races import kinds
 from common import Numbers, Runs, by_seed, experiment, kept, markdown
 from matrixworld._util.teams import PLURALS
+from matrixworld.analysis.intervals import level_of_each
 from matrixworld.coevolution import TEAMS, SavedRun, Team
-from matrixworld.coevolution.evaluation.effects import (
-    inputs_seen,
-    level_of_each,
-    terms_of,
-    without_each,
-)
+from matrixworld.coevolution.evaluation.effects import inputs_seen, terms_of, without_each
 from matrixworld.coevolution.evaluation.scores import opponents_in
 from matrixworld.coevolution.evaluation.trials import EPISODES, Trials, difference
 
 SEEDS, FIRST_SEED = 2, 500
-TRUTH, QUICK_EPISODES, QUICK_TRUTH = 500, 4, 8
+TRUTH, QUICK_EPISODES, QUICK_TRUTH = 400, 4, 8
 OTHER = 10**6
 """Seed of the episodes of the truth."""
 NULLS = 3

@@ -74,6 +74,19 @@ def test_training_curve_is_shaded_by_the_team_that_learns():
     assert [tick.get_text() for tick in top.get_xticklabels()] == ["1", "2"]
 
 
+def test_differences_have_a_line_at_0_and_an_interval_each():
+    found = {"a minus b": analysis.Estimate(0.1, -0.02, 0.2), "a minus c": analysis.Estimate(0.3)}
+    figure = plots.differences({"gain": found}, label="difference of gains")
+    (axes,) = figure.axes
+    zero, interval, mean, alone, _ = axes.lines
+    assert set(zero.get_xdata()) == {0.0}
+    assert list(interval.get_xdata()) == [-0.02, 0.2]
+    assert (mean.get_xdata(), alone.get_xdata()) == ([0.1], [0.3])
+    assert axes.get_xlabel() == "difference of gains"
+    with pytest.raises(ValueError, match="at least one difference to draw, got none"):
+        plots.differences({"gain": {}}, label="difference")
+
+
 def test_collisions_have_a_panel_a_team_and_a_line_a_kind():
     rates = np.arange(4 * 2 * 3, dtype=float).reshape(4, 2, 3)
     figure = collision_rates(rates, title="collisions")

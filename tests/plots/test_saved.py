@@ -2,16 +2,22 @@
 
 import re
 
+import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
 from command_line import matrixworld_command
 from matrixworld import analysis
-from matrixworld.coevolution import evolve, open_groups
+from matrixworld.coevolution import TEAMS, compare, evolve, open_groups
 from matrixworld.plots import saved
 from own_games import pictures, short_race, words
 from tiny_race import tiny_race, tiny_single
 
+SCORES = [
+    "pursuers against held-out opponents, capture rate",
+    "evaders against held-out opponents, escape rate",
+]
 TOGETHER = ["comparison", "verdicts", "held_out"]
 
 
@@ -48,6 +54,57 @@ def test_runs_have_their_own_figures_and_seeds_have_them_together(runs):
         files_of(runs, "hall", suffix="bmp")
     both = [f"{place}/{name}" for place in ("hall", "job/seed-5") for name in of_run]
     assert files_of(runs, "hall", "job/seed-5") == [*both, "comparison.png"]
+
+
+@pytest.fixture(scope="module")
+def methods(tmp_path_factory):
+    """Three seeds of two methods in one world, and of a third one in another world."""
+    root = tmp_path_factory.mktemp("methods")
+    other = {"hall": {"schedule": "hall-of-fame"}, "large": {"size": 9}, "special": {}}
+    for name, changes in other.items():
+        for seed in (1, 2, 3):
+            evolve(tiny_race(seed=seed, **changes), root / name / f"seed-{seed}", threads=1)
+    return root
+
+
+def test_differences_of_methods_are_those_of_compare(methods):
+    assert "differences.png" in files_of(methods, "hall", "special")
+    assert "differences.png" not in files_of(methods, "hall", "special", "large")
+    assert "differences.png" not in files_of(methods, "hall")
+    groups = [group.inside(methods) for group in open_groups(methods / "hall", methods / "special")]
+    figure = saved.figures_of(groups, methods)[methods / "differences.png"]()
+    # Two intervals hold together.
+    compared = compare(methods / "hall", methods / "special", level=0.975)
+    for axes, (team, label) in zip(figure.axes, [*zip(TEAMS, SCORES, strict=True)], strict=True):
+        expected = compared.differences[label]
+        _, interval, mean = axes.lines[:3]
+        np.testing.assert_allclose(interval.get_xdata(), expected.ends)
+        assert mean.get_xdata() == [pytest.approx(expected.value)]
+        one, other = (group.held_out(team).mean(axis=1) for group in groups)
+        np.testing.assert_allclose(axes.collections[0].get_offsets()[:, 0], one - other)
+        assert [text.get_text() for text in axes.texts] == ["hall minus special"]
+
+
+def test_figures_of_a_column_fit_into_it(methods):
+    figures = {
+        file: draw
+        for places in (("hall", "special"), ("hall/seed-1",))
+        for file, draw in saved.figures_of(
+            [g.inside(methods) for g in open_groups(*(methods / place for place in places))],
+            methods,
+            column=True,
+        ).items()
+    }
+    assert {file.stem for file in figures} == {*saved.OF_RUN, *saved.OF_GROUPS}
+    for file, draw in figures.items():
+        figure = draw()
+        width, _ = figure.get_size_inches()
+        assert width <= 7.0 if file.stem == "comparison" else width == 3.4
+        renderer = FigureCanvasAgg(figure).get_renderer()
+        figure.draw(renderer)
+        drawn = figure.get_tightbbox(renderer)  # in inches
+        assert -0.02 <= drawn.x0 <= drawn.x1 <= width + 0.02, file
+        assert min(text.get_fontsize() for text in figure.findobj(Text) if text.get_text()) >= 6
 
 
 def test_titles_name_the_run_its_seed_and_what_was_judged(runs):

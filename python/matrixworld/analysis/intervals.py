@@ -459,6 +459,11 @@ def normal_quantile(level: float) -> float:
     return float(ndtri((1.0 + level) / 2.0))
 
 
+def level_of_each(count: int) -> float:
+    """Return the level of each of so many intervals that hold together at `LEVEL` (Bonferroni)."""
+    return 1.0 - (1.0 - LEVEL) / count
+
+
 def t_ends(values: ArrayLike, level: float, bounds: Bounds = UNBOUNDED) -> tuple[float, float]:
     """Return the ends of the t interval of a mean, clipped to the bounds."""
     array = np.asarray(values, dtype=np.float64)

@@ -41,6 +41,7 @@ def open_page(page: Path, opens: bool) -> None:
     help="format of the figures; pdf and svg are vector graphics  [default: png]",
 )
 @click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
+@click.option("--column", is_flag=True, help="figures for one column of a paper, 3.4 inches wide")
 @options.shared("force")
 def explore_command(
     runs: list[Path],
@@ -49,6 +50,7 @@ def explore_command(
     figures: bool,
     suffix: str | None,
     each: bool,
+    column: bool,
     force: bool,
 ) -> None:
     """Write one page that shows runs and plays their matches, and open it; or draw figures.
@@ -66,9 +68,9 @@ def explore_command(
     if figures:
         if out is not None:
             raise click.UsageError("--out: expected no --figures beside it: they have their places")
-        _draw_figures(groups, root, suffix or "png", each=each, force=force)
+        _draw_figures(groups, root, suffix or "png", each=each, column=column, force=force)
         return
-    for option, value in {"--format": suffix, "--each": each}.items():
+    for option, value in {"--format": suffix, "--each": each, "--column": column}.items():
         if value:
             raise click.UsageError(f"{option}: expected --figures beside it")
     page = out or root / runs_page.PAGE
@@ -88,7 +90,7 @@ def _root_of(directories: Sequence[Path]) -> Path:
 
 
 def _draw_figures(
-    groups: Sequence[RunGroup], root: Path, suffix: str, *, each: bool, force: bool
+    groups: Sequence[RunGroup], root: Path, suffix: str, *, each: bool, column: bool, force: bool
 ) -> None:
     """Draw figures into the directories of runs, and those of several runs into `root`."""
     from matrixworld import plots
@@ -96,7 +98,7 @@ def _draw_figures(
 
     with usage_errors():
         inside = [group.inside(root) for group in groups]
-        files = figures_of(inside, root, suffix=suffix, each=each)
+        files = figures_of(inside, root, suffix=suffix, each=each, column=column)
         # All files are checked before the first is drawn.
         options.check_outputs(*files, force=force)
         for file, drawn in files.items():

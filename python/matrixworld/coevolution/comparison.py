@@ -111,6 +111,11 @@ def compare(one: Any, other: Any, *, level: float = intervals.LEVEL) -> Comparis
     return _comparison(scores | measures, difference, level)
 
 
+def score_name(team: Team) -> str:
+    """Return what a comparison calls the scores of a team."""
+    return f"{PLURALS[team]} against held-out opponents, {SCORE[team]}"
+
+
 def _compared_scores(one: RunGroup, other: RunGroup) -> dict[str, Pair]:
     """Return the scores of the teams of two groups by what they are called.
 
@@ -128,8 +133,7 @@ def _compared_scores(one: RunGroup, other: RunGroup) -> dict[str, Pair]:
         raise ValueError("other: expected runs in which the same team learns as in one")
     for team in first.learning_teams:
         if team in second.learning_teams:
-            name = f"{PLURALS[team]} against held-out opponents, {SCORE[team]}"
-            scores[name] = (scores_of(one, team), scores_of(other, team))
+            scores[score_name(team)] = (scores_of(one, team), scores_of(other, team))
     return scores
 
 

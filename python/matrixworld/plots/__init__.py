@@ -9,12 +9,13 @@ describes them, and mappings without an entry, raise a ValueError.
 from __future__ import annotations
 
 from matrixworld.plots.race import ciao_triangles, comparison, payoff_heatmap
-from matrixworld.plots.runs import run_curves, run_dots, verdict_strip
+from matrixworld.plots.runs import differences, run_curves, run_dots, verdict_strip
 from matrixworld.plots.style import save_figure
 
 __all__ = [
     "ciao_triangles",
     "comparison",
+    "differences",
     "payoff_heatmap",
     "run_curves",
     "run_dots",

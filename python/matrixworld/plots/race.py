@@ -136,7 +136,8 @@ def comparison(
     words = style.words_of(teams, general=all(race.general for race in races.values()))
     lines = -(-len(payoffs) // COLUMNS)
     columns = -(-len(payoffs) // lines)  # as many in each line, but the last
-    figure, heights = style.new_figure(1.2 + 2.7 * columns, 0.6 + 7.1 * lines), (1.7, 0.8, 0.8)
+    size, heights = (1.2 + 2.7 * columns, 0.6 + 7.1 * lines), (1.7, 0.8, 0.8)
+    figure = style.new_figure(*size, panels=columns)
     grid = figure.subplots(3 * lines, columns, squeeze=False, height_ratios=heights * lines)
     panels = [grid[3 * line : 3 * line + 3, k] for line, k in np.ndindex(lines, columns)]
     for axes in np.ravel(panels[len(payoffs) :]):
@@ -306,8 +307,9 @@ def training_curve(
 
 def collision_rates(rates: NDArray[np.float64], *, title: str) -> Figure:
     """Draw collisions per 1000 agent-steps (G, 2, 3) by generation, team and kind."""
-    figure = style.new_figure(8.4, 3.8)
-    panels = figure.subplots(1, 2, sharey=True)
+    columns = style.beside(2)
+    figure = style.new_figure(8.4, 3.8 if columns == 2 else 4.6)
+    panels = figure.subplots(2 // columns, columns, sharex=True, sharey=True, squeeze=False).ravel()
     marker = "o" if len(rates) <= _MARKED else ""
     for team, axes in enumerate(panels):
         for kind, curve in enumerate(rates[:, team].T):
@@ -316,10 +318,12 @@ def collision_rates(rates: NDArray[np.float64], *, title: str) -> Figure:
                 linestyle=("-", *style.DASHES)[kind], marker=marker, markersize=3,
             )  # fmt: skip
         axes.set_title(BOTH[team], color=colors.TEAMS[team])
-        axes.set_xlabel("generation")
         axes.xaxis.set_major_locator(style.whole_numbers())
         style.plain_axis(axes)
-    panels[0].set_ylabel("collisions per 1000 agent-steps")
+    for axes in panels[-columns:]:
+        axes.set_xlabel("generation")
+    for axes in panels[::columns]:
+        axes.set_ylabel("collisions per 1000\nagent-steps")
     panels[0].set_ylim(bottom=0.0)
     return style.finished(figure, style.labelled(panels[0]), title, columns=3)
 

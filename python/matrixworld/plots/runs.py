@@ -18,6 +18,7 @@ from matrixworld.analysis.intervals import UNBOUNDED, Bounds
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Judgement
 from matrixworld.plots import style
 
+NAMES_OF_VERDICTS = 20  # characters that they take at the left
 NAMES = 3  # share of the width that the names of groups may take: a third
 
 
@@ -67,7 +68,7 @@ def run_dots(
     axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label="mean, 95% interval")
     names = [style.wrapped(name, style.room(figure, NAMES)) for name in groups]
     axes.set_yticks(np.arange(len(names)), names)
-    axes.set(ylim=(len(names) - 0.5, -0.5), xlabel=label)
+    axes.set(ylim=(len(names) - 0.5, -0.5), xlabel=style.wrapped(label, style.room(figure, 1.6)))
     low, high = axes.get_xlim()
     numbers = np.concatenate([np.ravel(values) for values in groups.values()])
     if numbers.min() >= 0.0 and 0.5 <= numbers.max() <= 1.0:
@@ -77,13 +78,69 @@ def run_dots(
     return style.finished(figure, style.labelled(axes), title, columns=4)
 
 
-def _draw_dots(axes: Axes, row: int, mean: analysis.Estimate, values: np.ndarray) -> None:
+def _draw_dots(axes: Axes, row: float, mean: analysis.Estimate, values: np.ndarray) -> None:
     # Equal values lie on top of each other, so the dots are spread over the height of the row.
     heights = row - 0.22 + 0.12 * (np.arange(len(values)) % 3 - 1)
     axes.scatter(values, heights, s=16, color=colors.SKY_BLUE, edgecolor=colors.BLUE, linewidth=0.4)
     if mean.low is not None and mean.high is not None:
         axes.plot([mean.low, mean.high], [row + 0.2] * 2, color=colors.INK, linewidth=1.8)
     axes.plot(mean.value, row + 0.2, "D", color=colors.INK, markersize=5)
+
+
+def differences(
+    panels: Mapping[str, Mapping[str, analysis.Estimate]],
+    *,
+    label: str,
+    singles: Mapping[str, Mapping[str, ArrayLike]] | None = None,
+    interval: str = "95% interval",
+    title: str | None = None,
+) -> Figure:
+    """Draw differences of two groups of runs, each with its interval, around a line at 0.
+
+    Parameters
+    ----------
+    panels : mapping of str to mapping of str to Estimate
+        Differences by their names, such as ``"one minus other"``, in a panel for each measure or
+        team; those of `matrixworld.compare` are meant.
+    label : str
+        What the numbers are differences of.
+    singles : mapping of str to mapping of str to array_like, shape (runs,), optional
+        Differences of pairs of runs, by panel and name: dots.
+    interval : str, optional
+        What the intervals are.
+    title : str, optional
+        Text above the figure.
+
+    Returns
+    -------
+    Figure
+        To be shown or saved, see `save_figure`.
+    """
+    style.check_some(panels, "panel")
+    for rows in panels.values():
+        style.check_some(rows, "difference")
+    counts = [len(rows) for rows in panels.values()]
+    figure = style.new_figure(6.6, 1.1 + 0.3 * len(panels) + 0.5 * sum(counts))
+    grid = figure.subplots(len(panels), 1, sharex=True, squeeze=False, height_ratios=counts)[:, 0]
+    dots = style.by_name("singles", singles)
+    for axes, (panel, rows) in zip(grid, panels.items(), strict=True):
+        axes.axvline(0.0, color=colors.MUTED, linestyle="--", linewidth=1.2, zorder=1)
+        for row, (name, found) in enumerate(rows.items()):
+            _draw_dots(axes, row + 0.15, found, np.asarray(dots.get(panel, {}).get(name, ())))
+            # Above its numbers: beside them long names would leave no room in a column.
+            look: dict[str, Any] = {"facecolor": colors.PAPER, "linewidth": 0, "pad": 0.5}
+            place: dict[str, Any] = {"transform": axes.get_yaxis_transform(), "va": "bottom"}
+            axes.text(0.0, row - 0.26, name, size="small", bbox=look, **place)
+        axes.set(ylim=(len(rows) - 0.5, -0.6), yticks=[])
+        axes.set_title(panel, size="medium", loc="left", fontweight="bold")
+        style.plain_axis(axes)
+        axes.spines["left"].set_visible(False)
+        axes.grid(visible=False, axis="y")
+    grid[-1].set_xlabel(style.wrapped(label, style.room(figure, 1.2)))
+    if any(map(len, dots.values())):
+        grid[0].scatter([], [], s=16, color=colors.SKY_BLUE, label="one seed, paired")
+    grid[0].errorbar([], [], xerr=[], fmt="D", color=colors.INK, label=f"mean, {interval}")
+    return style.finished(figure, style.labelled(grid[0]), title, columns=4)
 
 
 def run_curves(
@@ -168,12 +225,16 @@ def verdict_strip(
         verdicts |= dict.fromkeys(left, [NOT_FINISHED] * len(findings))
         columns[name] = dict(sorted(verdicts.items()))
     most = max(map(len, columns.values()))
-    figure = style.new_figure(max(6.4, min(16.0, 3.6 + 0.42 * most)), 1.1 + 2.15 * len(judgements))
+    figure = style.new_figure(max(6.4, min(16.0, 3.6 + 0.42 * most)), 1.0)
     panels = figure.subplots(len(judgements), 1, squeeze=False)[:, 0]
+    room = style.room(figure) - NAMES_OF_VERDICTS
+    lines = 0
     for axes, (name, judgement) in zip(panels, judgements.items(), strict=True):
-        _draw_verdicts(axes, columns[name], judgement, most)
-        head = style.wrapped(f"{name}: {analysis.sentence(judgement)}", style.room(figure, 1.3))
+        _draw_verdicts(axes, columns[name], judgement, most, room)
+        head = style.wrapped(f"{name}: {analysis.sentence(judgement)}", room)
         axes.set_title(head, size="medium", loc="left")
+        lines += len(head.splitlines())
+    figure.set_figheight(1.1 + 1.8 * len(judgements) + 0.17 * lines)
     panels[-1].set_xlabel("seed", loc="left")
     entries = {name: Patch(facecolor=look, edgecolor=colors.MUTED) for name, look in LOOKS.items()}
     title = "Verdict on each seed, and on all together"
@@ -188,15 +249,17 @@ def _seeds(name: str, given: Sequence[int]) -> list[int]:
 
 
 def _draw_verdicts(
-    axes: Axes, columns: Mapping[int, list[str]], judgement: Judgement, most: int
+    axes: Axes, columns: Mapping[int, list[str]], judgement: Judgement, most: int, room: int
 ) -> None:
+    """Draw verdicts in columns, at `most` so many; a line has room for so many characters."""
     kinds = [*LOOKS]
     cells = np.array([[kinds.index(verdict) for verdict in column] for column in columns.values()])
     look: dict[str, Any] = {"edgecolors": colors.MUTED, "linewidth": 0.6}
     axes.pcolormesh(cells.T, cmap=ListedColormap([*LOOKS.values()]), vmin=0, vmax=3, **look)
     rows = [f"{name}: {finding.verdict}" for name, finding in judgement.findings.items()]
     axes.set_yticks(np.arange(len(rows)) + 0.5, rows)
-    places = range(0, len(columns), -(-most // 30))
+    longest = max(len(str(seed)) for seed in columns)
+    places = range(0, len(columns), -(-most * (longest + 1) // room))
     axes.set_xticks([place + 0.5 for place in places], [str([*columns][place]) for place in places])
     axes.set(xlim=(0, most), ylim=(len(rows), 0))
     axes.tick_params(length=0, labelsize="small")

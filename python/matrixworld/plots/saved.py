@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -15,24 +16,31 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
 from matrixworld._util.teams import PLURALS
-from matrixworld.analysis import Judgement
-from matrixworld.analysis.intervals import UNIT
+from matrixworld.analysis import Estimate, Judgement
+from matrixworld.analysis.intervals import UNIT, level_of_each
+from matrixworld.coevolution.comparison import compare, score_name
 from matrixworld.coevolution.games.own_game import OwnGame
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.settings.schedules import Against
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.plots import race as of_race
 from matrixworld.plots import style
-from matrixworld.plots.runs import run_dots, verdict_strip
+from matrixworld.plots.runs import differences, run_dots, verdict_strip
 
 
 def figures_of(
-    groups: Sequence[RunGroup], root: str | Path, *, suffix: str = "png", each: bool = False
+    groups: Sequence[RunGroup],
+    root: str | Path,
+    *,
+    suffix: str = "png",
+    each: bool = False,
+    column: bool = False,
 ) -> dict[Path, Callable[[], Figure]]:
     """Return the files of the figures of runs, each with the function that draws it.
 
     Figures of a run go into its directory, those of several runs into `root`. Seeds of a race are
-    drawn together, and with `each` alone, too.
+    drawn together, and with `each` alone, too. In a `column` of a paper figures are 3.4 inches
+    wide; races side by side take both columns.
     """
     check_choice("suffix", suffix, style.FORMATS)
     races = [group for group in groups if group.is_race]
@@ -41,6 +49,8 @@ def figures_of(
     if seeds:
         own_games = any(isinstance(group.runs[0].settings.game, OwnGame) for group in groups)
         together += ["verdicts", *([] if own_games else ["held_out"])]
+        if len(seeds) > 1 and not own_games and _in_one_world(seeds):
+            together.append("differences")
     found: dict[Path, Callable[[], Figure]] = {}
     alone = [group for group in groups if each or group not in seeds]
     for single in [single for group in alone for single in group.singles]:
@@ -53,7 +63,19 @@ def figures_of(
     drawn = {group.name: group for group in seeds or races}
     for figure in together:
         found[Path(root) / f"{figure}.{suffix}"] = partial(OF_GROUPS[figure], drawn)
-    return found
+    return {file: partial(_in_column, draw) for file, draw in found.items()} if column else found
+
+
+def _in_one_world(groups: Sequence[RunGroup]) -> bool:
+    """Return whether scores of groups can be compared."""
+    return len({group.runs[0].pursuit.world for group in groups if group.runs}) == 1
+
+
+def _in_column(draw: Callable[[], Figure]) -> Figure:
+    with style.column():
+        figure = draw()
+        figure.draw_without_rendering()  # ticks take the size of type when they are drawn first
+    return figure
 
 
 def _title(group: RunGroup, shown: str) -> str:
@@ -125,7 +147,7 @@ OF_RUN: dict[str, Callable[[RunGroup], Figure]] = {
     "collisions": _collisions,
 }
 """Figures of a race. A run of one team has the first one only."""
-OF_PURSUIT = ("collisions", "held_out")  # figures that games of your own have not
+OF_PURSUIT = ("collisions", "held_out", "differences")  # figures that games of your own have not
 
 
 Groups = Mapping[str, RunGroup]
@@ -155,6 +177,28 @@ def _held_out(groups: Groups) -> Figure:
     return run_dots(scores, label=label, bounds=UNIT)
 
 
+def _differences(groups: Groups) -> Figure:
+    """Draw how the scores of each two groups differ; all intervals hold together."""
+    pairs = [*combinations(groups.items(), 2)]
+    level = level_of_each(len(pairs) * len(TEAMS))
+    found: dict[str, dict[str, Estimate]] = {PLURALS[team]: {} for team in TEAMS}
+    singles: dict[str, dict[str, NDArray[np.float64]]] = {PLURALS[team]: {} for team in TEAMS}
+    for (first, one), (second, other) in pairs:
+        compared = compare(one, other, level=level)
+        name = f"{first} minus {second}"
+        for team in TEAMS:
+            found[PLURALS[team]][name] = compared.differences[score_name(team)]
+            if one.seeds == other.seeds:
+                pair = [group.held_out(team).mean(axis=1) for group in (one, other)]
+                singles[PLURALS[team]][name] = pair[0] - pair[1]
+    return differences(
+        found,
+        label="difference of scores of last generations against held-out opponents",
+        singles=singles,
+        interval="95% interval, all together",
+    )
+
+
 def _judgements(groups: Groups) -> dict[str, Judgement]:
     return {name: group.judgement for name, group in groups.items()}
 
@@ -163,5 +207,6 @@ OF_GROUPS: dict[str, Callable[[Groups], Figure]] = {
     "comparison": _comparison,
     "verdicts": _verdicts,
     "held_out": _held_out,
+    "differences": _differences,
 }
 """Figures of several runs: side by side, or over the seeds."""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
@@ -30,6 +32,11 @@ DPI = 150  # resolution of saved figures
 CHARACTERS = 106.0  # characters of one point that an inch holds, about
 LARGE = 1.2  # size of titles, as a multiple of the type
 HANDLE = 7  # characters that a line of a legend takes beside its name
+
+COLUMN, PAGE = 3.4, 7.0
+"""Widths in inches of one column of a paper and of both, for figures that are printed so."""
+_IN_COLUMN: ContextVar[bool] = ContextVar("in_column", default=False)
+_TYPE: dict[Any, Any] = {"font.size": 8.0, "axes.titlesize": "medium", "figure.titlesize": "medium"}
 
 DASHES = ("--", ":", "-.")  # line styles beside the solid one
 EVADERS = "--"
@@ -97,8 +104,29 @@ def _words_of_constant_sum(teams: Sequence[str]) -> Words:
     )
 
 
-def new_figure(width: float, height: float) -> Figure:
-    """Return an empty figure; sizes are in inches."""
+@contextmanager
+def column() -> Iterator[None]:
+    """Let figures be as wide as a column of a paper, with type that is read at this width."""
+    token = _IN_COLUMN.set(True)
+    try:
+        with mpl.rc_context(_TYPE):
+            yield
+    finally:
+        _IN_COLUMN.reset(token)
+
+
+def beside(panels: int) -> int:
+    """Return how many of so many panels stand beside each other: in a column one."""
+    return 1 if _IN_COLUMN.get() else panels
+
+
+def new_figure(width: float, height: float, *, panels: int = 1) -> Figure:
+    """Return an empty figure; sizes are in inches.
+
+    In a `column` it is no wider than that; with several `panels` beside each other it takes a page.
+    """
+    if _IN_COLUMN.get():
+        width = min(width, COLUMN if panels == 1 else PAGE)
     layout = ConstrainedLayoutEngine(w_pad=0.04, h_pad=0.04)
     return Figure(figsize=(width, height), dpi=DPI, layout=layout)
 

@@ -12,6 +12,7 @@ from scipy import stats
 import matrixworld as mw
 from command_line import matrixworld_command
 from matrixworld.analysis import Estimate
+from matrixworld.analysis.intervals import level_of_each
 from matrixworld.coevolution.evaluation import effects, explanation, imitation
 from matrixworld.coevolution.evaluation.scores import SCORE
 from matrixworld.coevolution.evaluation.trials import difference
@@ -136,7 +137,7 @@ def test_an_input_that_does_nothing_is_hardly_ever_named():
     """What is lost without it is chance alone; of several, none is named in 95 % of teams."""
     rng = np.random.default_rng(5)
     teams, count, false = 400, 9, 0
-    level = effects.level_of_each(count)
+    level = level_of_each(count)
     for _ in range(teams):
         rates = rng.binomial(4, 0.6, size=(count + 1, 7, 100)) / 4  # opponents, episodes
         losses = [difference(rates[0], each, level) for each in rates[1:]]

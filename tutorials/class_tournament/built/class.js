@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources bed0dcee01b0002bf323ce9ebfe408b11b5913837c3596c09fdc3eb1551f1e1d */
+/* built from web/ by "npm run build"; sources 25218d3c10065c4e6eb354af89411785838539f4c5142ff826ee549421253e92 */
 (()=>{var oe=[.5,1,2,4,8,16,32,64],we=0,xe=12,kn=2,be=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,{speed:r=4,still:n=!1}={}){
 super(),this.#e=e,this.#r=r,this.#n=n}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){return this.#s}get length(){
 return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i("state")}get ticks(){return this.#h}set ticks(e){
@@ -301,12 +301,12 @@ inverse()),o=this.#n[Math.floor(n.y/r)],s=this.#t[Math.floor(n.x/r)];return o===
 -1,0],ArrowDown:[1,0],ArrowLeft:[0,-1],ArrowRight:[0,1]}[e.key];if(e.key==="Enter")this.#r.play(this.#r.pair);else if(n)this.#f(n);else return;e.preventDefault(),
 e.stopPropagation()}#f([e,r]){let{pursuer:n,evader:o}=this.#r.pair,s=this.#n[this.#n.indexOf(n)+e],a=this.#t[this.#t.indexOf(o)+r];s!==void 0&&a!==void 0&&this.#r.
 select({pursuer:s,evader:a})}#i(){let{pair:e,hover:r}=this.#r,n=Number(this.#s.dataset.size),o=({pursuer:a,evader:i},l)=>M("rect",{class:l,x:this.#t.indexOf(i)*
-n,y:this.#n.indexOf(a)*n,width:n,height:n});this.#s.replaceChildren(o(e,"selected-halo"),o(e,"selected"),...r?[o(r,"hovered")]:[]);let s=r??e;for(let a of this.#a.
-querySelectorAll("[data-name]")){let i=[`pursuer ${s.pursuer}`,`evader ${s.evader}`].includes(a.dataset.name);a.classList.toggle("about",i)}this.#o.replaceChildren(
-...this.#p(s))}#p({pursuer:e,evader:r}){let{names:n,capture_rate:o,lowest:s,highest:a,length:i,episodes:l}=this.#e,c=E(o[e][r]),h=E(s[e][r]),u=E(a[e][r]);return[
-m("span",{},m("span",{class:"pursuer"},n.pursuer[e])," against ",m("span",{class:"evader"},n.evader[r])),m("span",{},m("strong",{},c),m("span",{class:"small mut\
-ed"},` captured; ${h} to ${u} in ${l} episodes, ${i[e][r].toFixed(0)} steps on average`))]}};function qo(t,e){let r=document.createElement("canvas").getContext(
-"2d");return r.font=`700 ${e}px ${getComputedStyle(document.body).fontFamily}`,Math.max(...t.map(n=>r.measureText(n).width))}var wn=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,Fe=class extends EventTarget{#e;#r=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
+n,y:this.#n.indexOf(a)*n,width:n,height:n});this.#s.replaceChildren(o(e,"selected-halo"),o(e,"selected"),...r?[o(r,"hovered-halo"),o(r,"hovered")]:[]);let s=r??
+e;for(let a of this.#a.querySelectorAll("[data-name]")){let i=[`pursuer ${s.pursuer}`,`evader ${s.evader}`].includes(a.dataset.name);a.classList.toggle("about",
+i)}this.#o.replaceChildren(...this.#p(s))}#p({pursuer:e,evader:r}){let{names:n,capture_rate:o,lowest:s,highest:a,length:i,episodes:l}=this.#e,c=E(o[e][r]),h=E(s[e][r]),
+u=E(a[e][r]);return[m("span",{},m("span",{class:"pursuer"},n.pursuer[e])," against ",m("span",{class:"evader"},n.evader[r])),m("span",{},m("strong",{},c),m("spa\
+n",{class:"small muted"},` captured; ${h} to ${u} in ${l} episodes, ${i[e][r].toFixed(0)} steps on average`))]}};function qo(t,e){let r=document.createElement("\
+canvas").getContext("2d");return r.font=`700 ${e}px ${getComputedStyle(document.body).fontFamily}`,Math.max(...t.map(n=>r.measureText(n).width))}var wn=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,Fe=class extends EventTarget{#e;#r=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
 return this.#r}select(e){wn(e,this.#e)||(this.#e=e,this.dispatchEvent(new Event("pair")))}play(e){this.select(e),this.dispatchEvent(new Event("play"))}point(e){
 wn(e,this.#r)||(this.#r=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};function xt(t,e,r){let n=t.standings[e].map(a=>Ko(t,e,a,r)),o=e==="pursuer"?"Mean capture rate":"Mean escape rate",s=["Rank","Name","Score","Best, worst"];return m(
 "section",{class:"card standings","aria-label":`Standings of ${e}s`},m("header",{},m("h2",{},m("span",{class:e},`${e[0].toUpperCase()}${e.slice(1)}s`)),m("p",{class:"\

@@ -200,7 +200,7 @@ export class MatrixPanel {
     this.#marks.replaceChildren(
       outline(pair, "selected-halo"),
       outline(pair, "selected"),
-      ...(hover ? [outline(hover, "hovered")] : []),
+      ...(hover ? [outline(hover, "hovered-halo"), outline(hover, "hovered")] : []),
     );
     const shown = hover ?? pair;
     for (const name of this.#drawing.querySelectorAll<SVGElement>("[data-name]")) {

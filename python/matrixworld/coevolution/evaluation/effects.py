@@ -284,15 +284,10 @@ def without_each(trials: Trials, terms: Sequence[Term]) -> tuple[Estimate, list[
     left_out = [policy.policy.without(policy.genome, term.input) for term in terms]
     team = Population(np.stack([policy.genome, *left_out]), policy.policy)
     own, *others = trials.scores(team, 0)
-    level = level_of_each(len(terms))
+    level = intervals.level_of_each(len(terms))
     lost = [difference(own, rates, level) for rates in others]
     order = sorted(range(len(terms)), key=lambda place: -lost[place].value)
     return mean_score(own), [terms[place]._replace(lost=lost[place]) for place in order]
-
-
-def level_of_each(count: int) -> float:
-    """Return the level of each of so many intervals that hold together at the usual one."""
-    return 1.0 - (1.0 - intervals.LEVEL) / count
 
 
 def pruned(trials: Trials) -> tuple[Genome, Estimate | None]:
