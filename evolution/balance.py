@@ -8,7 +8,7 @@ a table of capture rates, pursuers in rows, a world lies between two *bounds*: w
 sure of (maxmin), and what the best column concedes (minmax). It is balanced if both lie in `BAND`.
 
 1. Screen: all worlds of `VARIANTS`, `SIDES`, `NUMBERS` and `OBSTACLES` with agents on 1 to 25 % of
-   the cells; the best scripts of each team against each other, 8 episodes of each pair, seed 0.
+   the cells; good scripts of each team against each other, 8 episodes of each pair, seed 0.
 2. Retest: of each variant the eight worlds whose worse bound is nearest one half, 60 new episodes
    (seed 1), since the best of many worlds in few episodes are partly luck. The two best go on.
 3. Race: two hall-of-fame races of ratings (`RACE`, seeds 0 and 1) in each. The last champions join
@@ -76,7 +76,7 @@ def worlds(quick: bool) -> list[World]:
 
 
 def scripts(world: World) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the scripts of both teams that make sense in a world, by name."""
+    """Return good scripts of both teams by name; careful ones are not among them."""
     surround = world["rules"] in KINDS["surrounding"]
     pursuers = SURROUNDERS if surround else CHASERS
     return {name: name for name in pursuers}, {name: name for name in ESCAPERS}

@@ -1,6 +1,6 @@
 """Does "What evolved" name the inputs that are worth something? Its verdicts beside the truth.
 
-    python evolution/input_worth.py --threads 1   an hour of one core
+    python evolution/input_worth.py --threads 1   ten minutes of one core
     python evolution/input_worth.py --quick       two seeds of short races, some seconds
 
 `matrixworld evolve` ends with what the best generation of each team loses without each of its
@@ -9,8 +9,8 @@ input is *named* if the interval of its loss lies above 0, or below ("scores bet
 intervals are adjusted for the number of inputs. Two seeds of three schedules in each of the
 worlds with names, raced as `matrixworld evolve` does.
 
-The *truth* is the loss in 400 other episodes against each opponent. Counted are inputs named
-whose truth has the other sign, and named ones by the size of the truth.
+The *true loss* is that in 400 other episodes against each opponent. Counted are inputs named whose
+true loss has the other sign, and named ones by the size of the true loss.
 
 Inputs that do nothing: the same team plays without its input, which changes nothing but chance, in
 other episodes of the same number. Nine such losses are judged as those of nine inputs are, with the
@@ -21,6 +21,7 @@ an input of weight 0 is exactly 0, and it is never named.
 from __future__ import annotations
 
 from functools import partial
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -41,8 +42,8 @@ OTHER = 10**6
 """Seed of the episodes of the truth."""
 NULLS = 3
 """Sets of nine inputs that do nothing, for each team."""
-SIZES = (0.005, 0.01, 0.02, 0.05, 1.0)
-"""Upper ends of the classes of true losses, by their size."""
+SIZES = (-1.0, -0.02, -0.005, 0.005, 0.01, 0.02, 0.05, 1.0)
+"""Ends of the classes of true losses."""
 
 
 def of_team(run: SavedRun, team: Team, quick: bool) -> dict[str, Any]:
@@ -99,69 +100,79 @@ def stacked(numbers: Numbers, name: str, teams: tuple[Team, ...] = TEAMS) -> np.
 
 def signs(ends: np.ndarray) -> np.ndarray:
     """Return 1, -1 or 0 of intervals (..., 3), a value and both ends, above, below or around 0."""
-    return (ends[..., 1] > 0).astype(int) - (ends[..., 2] < 0)
+    return (ends[..., 1] > 0).astype(int) - (ends[..., 2] < 0).astype(int)
 
 
 def table(numbers: Numbers) -> str:
     """Return how often inputs are named, by their true loss, in Markdown."""
-    lost, truth = stacked(numbers, "lost"), stacked(numbers, "truth")
-    named = signs(lost)
-    wrong = (named * signs(truth) < 0) | ((named != 0) & (named * truth[..., 0] <= 0))
+    return "\n\n".join([by_size(numbers), errors(numbers), by_input(numbers), by_effect(numbers)])
+
+
+def by_size(numbers: Numbers) -> str:
+    """Return how many inputs are named of each class of true losses."""
+    truth, named = stacked(numbers, "truth")[..., 0], signs(stacked(numbers, "lost"))
     rows = []
-    for low, high in zip((0.0, *SIZES), SIZES, strict=False):
-        for sign, words in ((1, "worth"), (-1, "harm")):
-            size = sign * truth[..., 0]
-            inside = (size >= low) & (size < high) if sign > 0 else (size > low) & (size <= high)
-            counts = [int((named[inside] == each).sum()) for each in (1, 0, -1)]
-            rows.append([f"{words} {low:g} to {high:g}", str(int(inside.sum())), *map(str, counts)])
-    heads = ["true loss without the input", "inputs", "named: worth something", "not named"]
-    parts = [markdown([*heads, "named: better without"], rows)]
-    nothings = stacked(numbers, "nothings")
-    teams = len(lost)
+    for low, high in pairwise(SIZES):
+        inside = named[(truth >= low) & (truth < high)]
+        counts = [int((inside == each).sum()) for each in (1, 0, -1)]
+        rows.append([f"{low:+g} to {high:+g}", str(len(inside)), *map(str, counts)])
+    heads = ["true loss", "inputs", "named: worth something", "not named"]
+    return markdown([*heads, "named: better without"], rows)
+
+
+def errors(numbers: Numbers) -> str:
+    """Return how often inputs are named that should not be."""
+    lost, truth, nothings = (stacked(numbers, name) for name in ("lost", "truth", "nothings"))
+    named = signs(lost)
+    wrong = (named != 0) & (named * truth[..., 0] <= 0)
+    outside = (truth[..., 0] < lost[..., 1]) | (truth[..., 0] > lost[..., 2])
+    inputs = lost.shape[1]
+    reach = stats.t.isf((1.0 - level_of_each(inputs)) / 2, EPISODES - 1)
+    expected = 2 * stats.norm.sf(reach / np.sqrt(1 + EPISODES / TRUTH)) * outside.size
+    of_nothings = nothings.size * inputs
     rows = [
-        [
-            "inputs named whose true loss has the other sign",
-            f"{int(wrong.sum())} of {int((named != 0).sum())}",
-        ],
-        ["teams with such an input", f"{int(wrong.any(axis=1).sum())} of {teams}"],
-        [
-            "intervals without the true loss (5 % / 9 inputs is nominal)",
-            f"{int(((truth[..., 0] < lost[..., 1]) | (truth[..., 0] > lost[..., 2])).sum())} of "
-            f"{named.size}",
-        ],
-        [
-            "teams of nine inputs that do nothing, one of them named (5 % is nominal)",
-            f"{int((nothings > 0).sum())} of {nothings.size}, {(nothings > 0).mean():.1%}",
-        ],
-        [
-            "inputs that do nothing, named",
-            f"{int(nothings.sum())} of {nothings.size * lost.shape[1]}",
-        ],
-        ["half width of an interval, median", f"{np.median(lost[..., 2] - lost[..., 1]) / 2:.3f}"],
+        ["named, and the true loss has the other sign", wrong.sum(), (named != 0).sum()],
+        ["intervals without the true loss", outside.sum(), outside.size],
+        ["nine inputs that do nothing, one of them named", (nothings > 0).sum(), nothings.size],
+        ["inputs that do nothing, named", nothings.sum(), of_nothings],
     ]
-    parts.append(markdown(["", "count"], rows))
+    width = np.median(lost[..., 2] - lost[..., 1]) / 2
+    told = (
+        f"{expected:.1f} intervals without the true loss are expected, which has an error, too. "
+        f"Half of the intervals reach less than {width:.3f} to either side."
+    )
+    cells = [[name, f"{count} of {of}", f"{count / of:.1%}"] for name, count, of in rows]
+    return f"{markdown(['', 'count', 'share'], cells)}\n\n{told}"
+
+
+def by_input(numbers: Numbers) -> str:
+    """Return how much each input is worth to each team, and in how many teams it is named."""
     rows = []
     for team in TEAMS:
         names = stacked(numbers, "names", (team,))[0]
-        of_one = stacked(numbers, "truth", (team,))[..., 0]
-        verdicts = signs(stacked(numbers, "lost", (team,)))
-        for place in np.argsort(-of_one.mean(axis=0)):
-            counts = [int((verdicts[:, place] == each).sum()) for each in (1, -1)]
-            size = f"{of_one[:, place].mean():+.3f}"
-            ends = f"{of_one[:, place].min():+.3f} to {of_one[:, place].max():+.3f}"
-            rows.append([PLURALS[team], str(names[place]), size, ends, *map(str, counts)])
-    effects = stacked(numbers, "effect")
-    order = stats.spearmanr(effects.ravel(), truth[..., 0].ravel()).statistic
-    first = np.argmax(effects, axis=1)
-    unnamed = int((named[np.arange(teams), first] <= 0).sum())
-    heads = ["", "input", "mean true loss", "least to most", "worth something", "better without"]
-    parts.append(markdown(heads, rows))
-    parts.append(
-        f"Effect on ratings and true loss: rank correlation {order:.2f} over {effects.size} inputs "
-        f"of {teams} teams. The input of the largest effect is not worth something in {unnamed} of "
-        f"{teams} teams."
+        truth = stacked(numbers, "truth", (team,))[..., 0]
+        named = signs(stacked(numbers, "lost", (team,)))
+        for place in np.argsort(-truth.mean(axis=0)):
+            of_one = truth[:, place]
+            ends = f"{of_one.min():+.3f} to {of_one.max():+.3f}"
+            counts = [str((named[:, place] == each).sum()) for each in (1, -1)]
+            row = [PLURALS[team], str(names[place]), f"{of_one.mean():+.3f}", ends]
+            rows.append([*row, str(len(truth)), *counts])
+    heads = ["", "input", "mean true loss", "least to most", "teams", "worth something"]
+    return markdown([*heads, "better without"], rows)
+
+
+def by_effect(numbers: Numbers) -> str:
+    """Return what the effect of an input on ratings says of its worth."""
+    effects, truth = stacked(numbers, "effect"), stacked(numbers, "truth")[..., 0]
+    named = signs(stacked(numbers, "lost"))
+    order = stats.spearmanr(effects.ravel(), truth.ravel()).statistic
+    first = named[np.arange(len(named)), np.argmax(effects, axis=1)]
+    return (
+        f"Effect on ratings and true loss: rank correlation {order:.2f} over {effects.size} "
+        f"inputs. The input of the largest effect is not worth something in {(first <= 0).sum()} "
+        f"of {len(first)} teams."
     )
-    return "\n\n".join(parts)
 
 
 if __name__ == "__main__":

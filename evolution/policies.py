@@ -31,7 +31,6 @@ Stated before the runs:
 from __future__ import annotations
 
 import shutil
-from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from time import process_time
@@ -43,7 +42,7 @@ from numpy.typing import ArrayLike
 import matrixworld as mw
 from common import SMALL_RACE, Numbers, Runs, by_seed, experiment, kept, markdown, mean, solved
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, create, finish
-from matrixworld.coevolution.evaluation import held_out
+from matrixworld.coevolution.evaluation.held_out import scripts_for
 from matrixworld.coevolution.games.pursuit import Pursuit
 from matrixworld.coevolution.types import FloatArray
 from matrixworld.solver import best_response
@@ -76,10 +75,6 @@ SOLVED: dict[str, dict[str, Any]] = {
     "TO 6 x 6": {**SMALL, "rows": 6, "cols": 6, "fov": 11, "max_steps": 5},
 }
 """The worlds of convergence.py and of small_world.toml."""
-SOLVED_SCRIPTS: Mapping[Team, tuple[str, ...]] = {
-    "pursuer": ("random", "clumsy-chaser", "chaser"),
-    "evader": ("random", "still", "clumsy-fleer", "fleer", "dodger"),
-}
 STEPLESS = tuple(name for name in mw.Rating.inputs if name not in ("must_yield", "ahead"))
 """Inputs that do not count steps, as solved worlds need them."""
 
@@ -218,13 +213,6 @@ def numbers_of(settings: RaceSettings, directory: Path) -> dict[str, Any]:
 def control_of(settings: RaceSettings, directory: Path) -> dict[str, Any]:
     """Return the numbers of random programs in as many matches as a race."""
     return kept(directory.with_suffix(".random.json"), partial(random_programs, settings))
-
-
-def scripts_for(team: Team, world: mw.WorldConfig) -> tuple[str, ...]:
-    """Return the scripts of a team that make sense in a world."""
-    if world.rows <= SOLVED_SIDE:
-        return SOLVED_SCRIPTS[team]
-    return held_out.scripts_for(team, world)
 
 
 def script_results(world: mw.WorldConfig, episodes: int) -> dict[str, Any]:

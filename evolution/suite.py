@@ -38,7 +38,7 @@ from matrixworld._util.files import read_json, save_json
 from matrixworld._util.teams import PLURALS
 from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import TEAMS, Team
-from matrixworld.coevolution.evaluation.held_out import held_out_scripts
+from matrixworld.coevolution.evaluation.held_out import scripts_for
 from matrixworld.solver import States, best_response, solve
 
 NAME, VERSION = "MW-25", 1
@@ -97,10 +97,10 @@ def config_of(name: str) -> mw.WorldConfig:
 
 
 def guarantees(states: States, team: Team) -> dict[str, float]:
-    """Return what held-out scripts guarantee, those whose play depends on the state alone."""
+    """Return what scripts guarantee, careful ones, too: all that can be graded exactly."""
     found = {}
-    for script in held_out_scripts(team, states.config.rules):
-        with suppress(ValueError):  # a script that searches, or that counts steps
+    for script in scripts_for(team, states.config):
+        with suppress(ValueError):  # a script that searches
             found[script] = best_response(states, script, team).value
     return found
 

@@ -1,5 +1,6 @@
 """``matrixworld replay``, ``tournament`` and ``score``: what is played, shown and written."""
 
+import json
 import shutil
 from pathlib import Path
 
@@ -8,8 +9,9 @@ import pytest
 
 from command_line import GIF, PNG, matrixworld_command, run_together
 from matrixworld import Episode, WorldConfig, record
+from matrixworld._util.teams import PLURALS
 from matrixworld.coevolution import create, open_run, score
-from matrixworld.coevolution.evaluation.scores import score_table
+from matrixworld.coevolution.evaluation.scores import best_scripts, score_table
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.episodes import replay
 from matrixworld.play import save_genome
@@ -116,3 +118,15 @@ def test_scores_of_a_run_are_those_of_the_package(race):
     for scores in score(open_run(race), episodes=4).values():
         assert score_table([scores]) in printed
         assert run_together(f"Left out: {scores.left_out}.") in run_together(printed)
+
+
+def test_scores_beside_the_best_scripts(race):
+    printed = matrixworld_command(
+        "score", race, "--scripts", "--episodes", 4, "--seed", 2, "--json", "found.json"
+    ).stdout
+    assert "O, 2 pursuers and 3 evaders: 4 episodes against each opponent" in printed
+    [plain] = json.loads(Path("found.json").read_text())["groups"].values()
+    for team, best in best_scripts(open_run(race).pursuit.world, episodes=4, seed=2).items():
+        told = f"{best.score:.3f} {best.name}, of {best.among} that can play"
+        assert f"the best script of {PLURALS[team]}: {told}" in printed
+        assert plain[PLURALS[team]]["best script"] == best._asdict()

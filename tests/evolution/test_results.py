@@ -15,6 +15,7 @@ import convergence
 import evolve_held_out
 import ground_truth
 import hall_of_fame
+import input_worth
 import interval_coverage as coverage
 import judgement_tables
 import league
@@ -51,7 +52,7 @@ def of(table):
 
 
 OF_A_TABLE = (
-    added_inputs, balanced_races, convergence, ground_truth, hall_of_fame, league,
+    added_inputs, balanced_races, convergence, ground_truth, hall_of_fame, input_worth, league,
     learned, learning_or_competing, longer_races, page_races, perfect_learners, policies,
     map_races, race_budgets, rating_inputs, safe_learning, yoked_races, yoked_variants,
     yoked_worlds,

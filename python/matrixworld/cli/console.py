@@ -6,7 +6,7 @@ import shlex
 import shutil
 import sys
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -15,7 +15,13 @@ from tqdm import tqdm
 
 from matrixworld._util.files import printable
 from matrixworld._util.readable import table_lines
+from matrixworld._util.teams import PLURALS
+from matrixworld.coevolution.evaluation.scores import BestScript, knows
+from matrixworld.coevolution.games.pursuit import PursuitSettings
 from matrixworld.coevolution.groups import RunGroup
+from matrixworld.coevolution.settings.race_settings import RaceSettings
+from matrixworld.coevolution.types import Team
+from matrixworld.world.config import world_name
 
 TERMS = "What to do next: docs/my_result.md. Terms: docs/glossary.md."
 STDOUT = Path("-")
@@ -90,3 +96,25 @@ def print_missing(group: RunGroup) -> None:
 def seeds_finished(group: RunGroup) -> str:
     """Return how many seeds of a group are finished, such as "9 of 10 seeds finished"."""
     return f"{len(group.runs)} of {len(group.runs) + len(group.missing)} seeds finished"
+
+
+def place_of(settings: RaceSettings) -> str:
+    """Return the game and its teams in words, such as "courtyard (O), 4 pursuers and 4 evaders"."""
+    name = settings.game.variant
+    if not isinstance(settings.game, PursuitSettings):
+        return f"{name}, {' and '.join(dict.fromkeys(settings.teams))}"
+    world = settings.game.world
+    if world_name(world):
+        name = f"{world_name(world)} ({name})"
+    pursuers = counted(world.n_pursuers, "pursuer")
+    return f"{name}, {pursuers} and {counted(world.n_evaders, 'evader')}"
+
+
+def beyond_views(group: RunGroup, scripts: Mapping[Team, BestScript]) -> str:
+    """Return what teams and the best scripts know beyond their views; empty if it is nothing."""
+    known = {}
+    for team, script in scripts.items():
+        known[PLURALS[team]] = knows(group.runs[0].teams[team].policy)
+        known[script.name] = knows(script.name)
+    beyond = "; ".join(f"{name}: {', '.join(each)}" for name, each in known.items() if each)
+    return f"Known beyond the view: {beyond}." if beyond else ""

@@ -17,7 +17,7 @@ from matrixworld._util.exit_codes import INTERRUPTED
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld._util.sections import names_in
 from matrixworld.cli import cluster, console, options, pages, setting_options
-from matrixworld.cli.report import counted_runs, place_of, report
+from matrixworld.cli.report import counted_runs, report
 from matrixworld.coevolution import Progress, ProgressBar
 from matrixworld.coevolution.jobs import job as jobs
 from matrixworld.coevolution.jobs.job import Job
@@ -44,7 +44,7 @@ Occupation: a pursuer captures an evader by reaching its cell. Surrounding: purs
 the border on all four sides capture an evader.
 Other rules can be made in Python: matrixworld.Rules(...)."""
 WORLD_LEGEND = """\
-In these worlds good teams of both sides win about half: scripts, and ratings that raced.
+In these worlds neither of two good teams wins nearly all matches: scripts, and ratings that raced.
 Other options change them, as in --world NAME --n-pursuers 6. In Python: matrixworld.WORLDS."""
 
 
@@ -106,8 +106,7 @@ def _shows(function: Any) -> Any:
     "--world",
     type=click.Choice([*WORLDS]),
     metavar="NAME",
-    help=f"a world in which good teams win about half: {', '.join(WORLDS)}; --worlds explains "
-    "them  [default: courtyard]",
+    help=f"a balanced world: {', '.join(WORLDS)}; --worlds explains them  [default: courtyard]",
 )
 @options.shared("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
@@ -177,13 +176,13 @@ def evolve_command(
     """Let two populations evolve against each other: pursuers and evaders, or those of your game.
 
     Without options: three races at equal numbers of training matches, of policies that one can
-    read, in a world in which good teams win about half. In the first, each team learns against the
-    newest opponents only (specialists), in the second against living ones and a hall of fame, in
-    the third against all earlier generations (generalists). A race ends with a
-    payoff matrix, a judgement, scores against held-out opponents and figures. With --schedule
-    against the team schedule.team evolves alone, against the fixed opponents schedule.opponent: a
-    script, the last generation of a run, or another player, such as a file of Python (which is
-    run) or a line of text. With --seeds there is a run of each seed.
+    read, in a balanced world. In the first, each team learns against the newest opponents only
+    (specialists), in the second against living ones and a hall of fame, in the third against all
+    earlier generations (generalists). A race ends with a payoff matrix, a judgement, scores against
+    held-out opponents and figures. With --schedule against the team schedule.team evolves alone,
+    against the fixed opponents schedule.opponent: a script, the last generation of a run, or
+    another player, such as a file of Python (which is run) or a line of text. With --seeds there is
+    a run of each seed.
 
     The directory of --out receives one run directory for each run: SCHEDULE/seed-NUMBER. A run that
     exists is never replaced. Several runs play side by side, as many as --threads, on which results
@@ -282,7 +281,7 @@ class Plan(NamedTuple):
         """The plan in words."""
         settings = next(iter(self.job.values()))
         count = counted_runs(len(self.job), self.job.values())
-        return f"{place_of(settings)}, {count}, in {self.root}"
+        return f"{console.place_of(settings)}, {count}, in {self.root}"
 
 
 def job_of(chosen: Mapping[str, Any]) -> Job:

@@ -20,7 +20,7 @@ from matrixworld.analysis import Estimate, sentence
 from matrixworld.cli import console, pages
 from matrixworld.coevolution import Progress, ProgressBar, SavedRun
 from matrixworld.coevolution.evaluation.kept_scores import kept_scores
-from matrixworld.coevolution.evaluation.scores import BESIDE_EPISODES, BestScript, knows
+from matrixworld.coevolution.evaluation.scores import BESIDE_EPISODES, BestScript
 from matrixworld.coevolution.games.pursuit import PursuitSettings
 from matrixworld.coevolution.groups import RunGroup, by_clarity, grouped
 from matrixworld.coevolution.jobs.job import Job
@@ -28,7 +28,6 @@ from matrixworld.coevolution.settings.race_settings import RaceSettings
 from matrixworld.coevolution.settings.schedules import Against
 from matrixworld.coevolution.types import BOTH, TEAMS, other
 from matrixworld.explorer.runs_page import PAGE
-from matrixworld.world.config import world_name
 
 
 def report(
@@ -67,18 +66,6 @@ def report(
 def counted_runs(count: int, settings: Iterable[RaceSettings]) -> str:
     """Return the number of runs of a job, such as "3 races"; "runs" if a team is alone in some."""
     return console.counted(count, "race" if all(each.is_race for each in settings) else "run")
-
-
-def place_of(settings: RaceSettings) -> str:
-    """Return the game and its teams in words, such as "courtyard (O), 4 pursuers and 4 evaders"."""
-    name = settings.game.variant
-    if not isinstance(settings.game, PursuitSettings):
-        return f"{name}, {' and '.join(dict.fromkeys(settings.teams))}"
-    world = settings.game.world
-    if world_name(world):
-        name = f"{world_name(world)} ({name})"
-    pursuers = console.counted(world.n_pursuers, "pursuer")
-    return f"{name}, {pursuers} and {console.counted(world.n_evaders, 'evader')}"
 
 
 def _groups_of(job: Job, root: Path, finished: Sequence[Path]) -> list[RunGroup]:
@@ -196,16 +183,12 @@ def _how_scored(group: RunGroup) -> str:
     opponents = " and ".join(str(len(each["against"])) for each in both)
     scripts = _best_scripts(scores)
     among = " and ".join(str(script.among) for script in scripts)
+    place = console.place_of(group.runs[0].settings)
     told = (
-        f"{place_of(group.runs[0].settings)}: {both[0]['episodes']} episodes against each of "
-        f"{opponents} opponents (untrained: {BESIDE_EPISODES}); the best of {among} scripts."
+        f"{place}: {both[0]['episodes']} episodes against each of {opponents} opponents "
+        f"(untrained: {BESIDE_EPISODES}); the best of {among} scripts."
     )
-    known = {}
-    for team, script in zip(TEAMS, scripts, strict=True):
-        known[PLURALS[team]] = knows(group.runs[0].teams[team].policy)
-        known[script.name] = knows(script.name)
-    beyond = "; ".join(f"{name}: {', '.join(each)}" for name, each in known.items() if each)
-    return f"{told} Known beyond the view: {beyond}." if beyond else told
+    return f"{told} {console.beyond_views(group, dict(zip(TEAMS, scripts, strict=True)))}".strip()
 
 
 def _mean_scores(group: RunGroup) -> list[str]:

@@ -17,6 +17,7 @@ from matrixworld.coevolution import ProgressBar, RunGroup, Team
 from matrixworld.coevolution.evaluation.held_out import HELD_OUT_VERSION
 from matrixworld.coevolution.evaluation.scores import (
     HeldOutScores,
+    best_scripts,
     estimates_of,
     score_runs,
     score_table,
@@ -72,9 +73,11 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
     metavar="NUMBER|all",
     help="which one, negative numbers from the last; all: means of every one  [default: the last]",
 )
+@click.option("--scripts", is_flag=True, help="the best of all scripts in the same episodes, too")
 @options.shared("episodes", "seed", "json", "force", "threads", "cluster")
 def score_command(
     runs: list[Path],
+    scripts: bool,
     json_file: Path | None,
     force: bool,
     threads: int | None,
@@ -90,6 +93,9 @@ def score_command(
     RUN is the directory of a job or of a run. A single run need not be finished. Of runs that
     differ in their seed only the table shows mean and interval over the seeds. Runs with
     training_worlds are also scored in each of these.
+
+    With --scripts all scripts that can play in the world of the runs play the same episodes,
+    careful ones, too, and the best of each team is named, with what it knows beyond its view.
 
     With --cluster the workers of a Dask cluster play blocks of the matches. It pays with
     --generation all and many episodes. The workers need not see RUN.
@@ -110,12 +116,15 @@ def score_command(
     plain = {}
     for of_group in scored:
         plain[of_group.group.name] = _print_in_own_world(of_group)
+        if scripts:
+            played = {"episodes": chosen["episodes"], "seed": chosen["seed"], "threads": threads}
+            _print_best_scripts(of_group, played, plain[of_group.group.name])
     for of_group in scored:
         if of_group.in_worlds:
             plain[of_group.group.name]["training_worlds"] = _print_in_worlds(of_group)
     console.say()
     console.print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
-    console.say(f"{sum(of_group.matches for of_group in scored):,} matches were played.")
+    console.say(f"{sum(of_group.matches for of_group in scored):,} matches of teams were played.")
     options.write_json(json_file, {"seed": chosen["seed"], "groups": plain})
 
 
@@ -129,6 +138,9 @@ def _print_in_own_world(scored: GroupScores) -> dict[str, Any]:
     group = scored.group
     finished = f": {console.seeds_finished(group)}" if group.several else ""
     console.print_head(f"{group.name}{finished}")
+    first = next(iter(scored.scores[0].values()))
+    place = console.place_of(group.runs[0].settings)
+    console.print_wrapped(f"{place}: {first.rates.shape[2]} episodes against each opponent")
     plain = {
         "seeds": list(group.seeds),
         "missing": list(group.missing),
@@ -137,6 +149,20 @@ def _print_in_own_world(scored: GroupScores) -> dict[str, Any]:
     }
     console.print_missing(group)
     return plain
+
+
+def _print_best_scripts(
+    scored: GroupScores, played: Mapping[str, Any], plain: Mapping[str, Any]
+) -> None:
+    """Print the best script of each team that learned, and add it to values of JSON."""
+    group = scored.group
+    every = best_scripts(group.runs[0].pursuit.world, **played)
+    scripts = {team: every[team] for team in scored.scores[0]}
+    for team, script in scripts.items():
+        told = f"{script.score:.3f} {script.name}, of {script.among} that can play"
+        console.say(f"the best script of {PLURALS[team]}: {told}")
+        plain[PLURALS[team]]["best script"] = script._asdict()
+    console.print_wrapped(console.beyond_views(group, scripts))
 
 
 def _print_in_worlds(scored: GroupScores) -> list[dict[str, Any]]:

@@ -13,7 +13,7 @@ from matrixworld._util import checks
 from matrixworld._util.files import read_json, read_text
 from matrixworld.solver.solution import Solution, best_response, solve
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import CAREFUL, SCRIPTS, TEAMS, Team
+from matrixworld.world.policy import SCRIPTS, TEAMS, Team
 
 FILE = Path(__file__).with_name("mw25.json")
 
@@ -77,9 +77,8 @@ class SuiteWorld:
         if team not in self._scripts:
             found = {}
             for script in SCRIPTS:
-                if not script.startswith(CAREFUL):
-                    with suppress(ValueError):  # such as one that searches
-                        found[script] = best_response(self.perfect.states, script, team).value
+                with suppress(ValueError):  # such as one that searches
+                    found[script] = best_response(self.perfect.states, script, team).value
             self._scripts[team] = found
         return self._scripts[team]
 

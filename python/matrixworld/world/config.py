@@ -44,7 +44,7 @@ WORLDS: Mapping[str, Mapping[str, Any]] = MappingProxyType(
 )
 """Worlds that have names, as keyword arguments of a `WorldConfig`.
 
-In them good teams of both sides win about half.
+In them neither of two good teams wins nearly all matches.
 """
 
 

@@ -6,7 +6,7 @@ import pytest
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS, create, held_out, open_run, score
 from matrixworld.coevolution.evaluation import scores
-from matrixworld.coevolution.evaluation.scores import best_scripts, score_table
+from matrixworld.coevolution.evaluation.scores import best_scripts, knows, score_table
 from matrixworld.coevolution.seeding import Phase, match_seed
 from matrixworld.coevolution.types import other
 from rows import config_of, random_team
@@ -154,6 +154,15 @@ def test_the_best_script_of_a_team_meets_what_a_run_meets():
     best = max(scores, key=lambda script: scores[script])
     assert found["pursuer"] == (best, pytest.approx(scores[best]), len(scores))
     assert found["evader"][0].removeprefix("careful-") in ("fleer", "dodger")
+
+
+def test_what_players_know_beyond_their_views():
+    assert knows("chaser") == knows(mw.Network()) == ()
+    assert knows("careful-team-surrounder") == ("right of way", "a plan of their team")
+    ratings = mw.Rating(inputs=("adversary", "ahead", "must_yield"))
+    assert knows(ratings) == ("a direction for 12 steps", "right of way")
+    assert knows(mw.Rating(inputs=("adversary",), mask="right-of-way")) == ("right of way",)
+    assert knows(mw.Network(hidden=(8,), memory="gru")) == ("their past",)
 
 
 @pytest.mark.parametrize(

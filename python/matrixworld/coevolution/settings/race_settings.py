@@ -578,8 +578,8 @@ def _usual_of_own_learner(kinds: Kinds, learner: Any) -> dict[str, Any]:
 def default_race(schedule: str) -> dict[str, Any]:
     """Return what the command ``matrixworld evolve`` starts from, for `RaceSettings.of`.
 
-    Policies that one can read race in a world in which good teams win about half, and a race takes
-    seconds. ``RaceSettings()`` and ``evolve --paper`` have the paper's world and networks.
+    Policies that one can read race in a balanced world, and a race takes seconds.
+    ``RaceSettings()`` and ``evolve --paper`` have the paper's world and networks.
 
     Parameters
     ----------

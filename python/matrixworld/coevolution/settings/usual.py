@@ -27,8 +27,8 @@ DEFAULTS = "defaults"
 """The path of the choice which defaults others follow; it is no setting of a run by itself."""
 PAPER = "paper"
 COURTYARD = "courtyard"
-"""The defaults of the paper, and those of a world in which good teams of both sides win about half:
-policies that one can read race in it, and a race takes seconds."""
+"""The defaults of the paper, and those of a balanced world: policies that one can read race in it,
+and a race takes seconds."""
 
 SCHEDULE = "generalist-generalist"
 HALL = AtOnce.kind  # of games of one population
