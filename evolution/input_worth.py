@@ -136,10 +136,9 @@ def errors(numbers: Numbers) -> str:
         ["nine inputs that do nothing, one of them named", (nothings > 0).sum(), nothings.size],
         ["inputs that do nothing, named", nothings.sum(), of_nothings],
     ]
-    width = np.median(lost[..., 2] - lost[..., 1]) / 2
     told = (
         f"{expected:.1f} intervals without the true loss are expected, which has an error, too. "
-        f"Half of the intervals reach less than {width:.3f} to either side."
+        f"Half of the intervals reach less than {half_width(numbers):.3f} to either side."
     )
     cells = [[name, f"{count} of {of}", f"{count / of:.1%}"] for name, count, of in rows]
     return f"{markdown(['', 'count', 'share'], cells)}\n\n{told}"
@@ -162,16 +161,32 @@ def by_input(numbers: Numbers) -> str:
     return markdown([*heads, "better without"], rows)
 
 
+def half_width(numbers: Numbers) -> float:
+    """Return how far half of the intervals reach to either side, at most."""
+    lost = stacked(numbers, "lost")
+    return float(np.median(lost[..., 2] - lost[..., 1])) / 2
+
+
+def order_of_effects(numbers: Numbers) -> float:
+    """Return the rank correlation of the effects of all inputs on ratings and their true losses."""
+    effects, truth = stacked(numbers, "effect"), stacked(numbers, "truth")[..., 0]
+    return float(stats.spearmanr(effects.ravel(), truth.ravel()).statistic)
+
+
+def first_unnamed(numbers: Numbers) -> tuple[int, int]:
+    """Return in how many teams the input of the largest effect is not worth something, of all."""
+    named, effects = signs(stacked(numbers, "lost")), stacked(numbers, "effect")
+    first = named[np.arange(len(named)), np.argmax(effects, axis=1)]
+    return int((first <= 0).sum()), len(first)
+
+
 def by_effect(numbers: Numbers) -> str:
     """Return what the effect of an input on ratings says of its worth."""
-    effects, truth = stacked(numbers, "effect"), stacked(numbers, "truth")[..., 0]
-    named = signs(stacked(numbers, "lost"))
-    order = stats.spearmanr(effects.ravel(), truth.ravel()).statistic
-    first = named[np.arange(len(named)), np.argmax(effects, axis=1)]
+    count, teams = first_unnamed(numbers)
     return (
-        f"Effect on ratings and true loss: rank correlation {order:.2f} over {effects.size} "
-        f"inputs. The input of the largest effect is not worth something in {(first <= 0).sum()} "
-        f"of {len(first)} teams."
+        f"Effect on ratings and true loss: rank correlation {order_of_effects(numbers):.2f} over "
+        f"{stacked(numbers, 'effect').size} inputs. The input of the largest effect is not worth "
+        f"something in {count} of {teams} teams."
     )
 
 
