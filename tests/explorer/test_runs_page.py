@@ -14,9 +14,11 @@ import pytest
 from browser import READY
 from matrixworld import Rating, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
+from matrixworld._util.teams import PLURALS
 from matrixworld.cli.evolve import evolve_command, job_of
 from matrixworld.cli.options import given
-from matrixworld.coevolution import TEAMS, RaceSettings, create, default_race, evolve
+from matrixworld.coevolution import TEAMS, RaceSettings, create, default_race, evolve, open_run
+from matrixworld.coevolution.evaluation.kept_scores import kept_scores
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
@@ -360,6 +362,22 @@ def test_programs_are_there_as_expressions(rated):
     assert found == ["rating", [*Rating.inputs], len(Rating.inputs)]
     inputs = [teams["teams"][team]["policy"]["inputs"] for team in TEAMS]
     assert inputs == [["adversary", "escapes", "opposite"], ["adversary", "room"]]
+
+
+def test_what_evolved_is_told_once_scores_are_kept(rated, tmp_path):
+    """Of the generation and in the words of the kept scores; the page plays none of their matches."""
+    runs = [open_run(shutil.copytree(run.path, tmp_path / run.path.name)) for run in rated]
+    named = [(run.path.name, run) for run in runs]
+    plain, _ = runs_data(named)
+    assert not any("evolved" in one["teams"][team] for one in plain for team in TEAMS)
+    kept = kept_scores(runs, threads=1)
+    plain, _ = runs_data(named)
+    for one, scores in zip(plain, kept, strict=True):
+        for team in TEAMS:
+            evolved = scores[PLURALS[team]]["evolved"]
+            assert evolved["generation"] == scores[PLURALS[team]]["best generation"][0]
+            told = {name: evolved[name] for name in ("generation", "sentence")}
+            assert one["teams"][team]["evolved"] == told
 
 
 def test_a_single_team_has_one_cell_at_its_last_generation(job):

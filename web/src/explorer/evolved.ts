@@ -39,7 +39,11 @@ function ofTeam(run: Run, team: Team, generation: number): HTMLElement {
       ? [html("p", { class: "small muted" }, problem)]
       : shownPolicy(run, team, generation, policyOf(run, team, generation))),
     evolved
-      ? html("p", {}, `Generation ${evolved.generation}, the best against strangers: ${evolved.sentence}`)
+      ? html(
+          "p",
+          { class: "small" },
+          `Generation ${evolved.generation}, the best against strangers: ${evolved.sentence}`,
+        )
       : null,
   );
 }

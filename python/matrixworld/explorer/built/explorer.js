@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 25218d3c10065c4e6eb354af89411785838539f4c5142ff826ee549421253e92 */
+/* built from web/ by "npm run build"; sources 935dfac1aaac763b3137186728bf53d2313bb373e9627ddd8f84a14c7c4e33be */
 "use strict";(()=>{var br={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},rt={DISAPPEAR:0,REACH:1,BOUNCE:2},wr={OCCUPATION:0,SURROUND:1},xr={FAULT:0,INVOLVED:1};var Sn=["obstacle","teammate","adversary"],Mn=["vertex","edge","chain"],Sr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Tn=["p\
 ursuer_{number}","evader_{number}"],Mr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ot={"both held":"both bounce","both doomed":"\
@@ -613,12 +613,12 @@ eration, which cycles do not fit${r.pursuer.low?", with 95 % intervals over epis
 max(0,o-Math.floor((e-1)/2)),a=Math.min(t.length,o+Math.floor(e/2)+1);return(n[a]-n[s])/(a-s)})}function ua(t,e){if(B.every(r=>!t.teams[r].evolved&&!Lt(t,r)))return null;let n=p("div",{class:"evolved"});return{element:ue("What evolved","Each move is rated \
 by named inputs of the cell that it leads to, and the best one is taken.",n),update:()=>n.replaceChildren(...B.map(r=>ec(t,r,e.selected[r])))}}function ec(t,e,n){
 let{evolved:r}=t.teams[e],o=je(t,e,n),s=t.teams[e].script??G(t,e,n);return p("section",{"aria-label":_(t).teams[e]},p("h3",{class:e},ve(s)),...o?[p("p",{class:"\
-small muted"},o)]:tc(t,e,n,ne(t,e,n)),r?p("p",{},`Generation ${r.generation}, the best against strangers: ${r.sentence}`):null)}function tc(t,e,n,r){if(typeof r==
-"string"||r.kind==="cells")return[];let o=Wt(t,e,n),s=ht(r,o);return[...o?[p("p",{},p("code",{},o.expression))]:[],...s?[nc(e,s)]:[],...r.kind==="rating"&&r.hidden.
-length?[p("p",{class:"small muted"},`A network with ${r.hidden.join(" and ")} hidden units rates each move by ${r.inputs.length} inputs.`)]:[]]}function nc(t,e){
-let n=Object.entries(e),r=Math.max(...n.map(([,o])=>Math.abs(o)))||1;return p("div",{class:"weights"},...n.flatMap(([o,s])=>{let a=p("span",{class:`bar ${t}${s<
-0?" below":""}`});return a.style.width=`${50*Math.abs(s)/r}%`,[p("span",{title:Fe[o]},o.replaceAll("_"," ")),p("span",{class:"axis"},a),p("span",{class:"numbers"},
-gt(s))]}))}function ma(t,e,n){let r=new Map,o=p("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=r.get(l)??rc(l,e,n),r.set(l,
+small muted"},o)]:tc(t,e,n,ne(t,e,n)),r?p("p",{class:"small"},`Generation ${r.generation}, the best against strangers: ${r.sentence}`):null)}function tc(t,e,n,r){
+if(typeof r=="string"||r.kind==="cells")return[];let o=Wt(t,e,n),s=ht(r,o);return[...o?[p("p",{},p("code",{},o.expression))]:[],...s?[nc(e,s)]:[],...r.kind==="r\
+ating"&&r.hidden.length?[p("p",{class:"small muted"},`A network with ${r.hidden.join(" and ")} hidden units rates each move by ${r.inputs.length} inputs.`)]:[]]}
+function nc(t,e){let n=Object.entries(e),r=Math.max(...n.map(([,o])=>Math.abs(o)))||1;return p("div",{class:"weights"},...n.flatMap(([o,s])=>{let a=p("span",{class:`\
+bar ${t}${s<0?" below":""}`});return a.style.width=`${50*Math.abs(s)/r}%`,[p("span",{title:Fe[o]},o.replaceAll("_"," ")),p("span",{class:"axis"},a),p("span",{class:"\
+numbers"},gt(s))]}))}function ma(t,e,n){let r=new Map,o=p("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=r.get(l)??rc(l,e,n),r.set(l,
 s),o.replaceChildren(...s.map(c=>c.element)),a()};return e.on("run",i),e.on("match hover",a),i(),o}function rc(t,e,n){return[la(t),na(t),ua(t,e),ia(t,e),oa(t,e,
 n),ca(t,e),sa(t,e),ra(t)].filter(o=>o!==null)}var pa={pursuer:null,evader:null},gn=class extends EventTarget{#e;#r=pa;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#r}select(e){
 let n=this.#e,r=["run","pursuer","evader"].some(o=>o in e&&e[o]!==n[o]);this.#e={...n,...r?{episode:0,seed:null}:{},...e},this.#e.run!==n.run&&this.dispatchEvent(

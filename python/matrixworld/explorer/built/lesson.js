@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 25218d3c10065c4e6eb354af89411785838539f4c5142ff826ee549421253e92 */
+/* built from web/ by "npm run build"; sources 935dfac1aaac763b3137186728bf53d2313bb373e9627ddd8f84a14c7c4e33be */
 "use strict";(()=>{var jr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},at={DISAPPEAR:0,REACH:1,BOUNCE:2},Vr={OCCUPATION:0,SURROUND:1},qr={FAULT:0,INVOLVED:1};var Kr=["obstacle","teammate","adversary"],In=["vertex","edge","chain"],Yr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Nn=["p\
 ursuer_{number}","evader_{number}"],Zr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},it={"both held":"both bounce","both doomed":"\
