@@ -365,7 +365,7 @@ def test_programs_are_there_as_expressions(rated):
 
 
 def test_what_evolved_is_told_once_scores_are_kept(rated, tmp_path):
-    """Of the generation and in the words of the kept scores; the page plays none of their matches."""
+    """Of the generation and in the words of the kept scores; the page plays none of these."""
     runs = [open_run(shutil.copytree(run.path, tmp_path / run.path.name)) for run in rated]
     named = [(run.path.name, run) for run in runs]
     plain, _ = runs_data(named)
