@@ -41,6 +41,9 @@ import yoked_races
 import yoked_variants
 import yoked_worlds
 from evolution_scripts import RESULTS, read
+from matrixworld import WORLDS, WorldConfig
+from matrixworld.coevolution import TEAMS
+from matrixworld.coevolution.evaluation.held_out import scripts_for
 from matrixworld.coevolution.settings.schedules import HIDES_CYCLING
 
 NUMBER = r"-?\d+\.\d+"
@@ -120,3 +123,20 @@ def test_what_short_races_are_said_to_hide_follows_from_published_numbers():
     short = cycling(race_budgets.DEFAULT, race_budgets.DEFAULT_SAME)
     assert short in told
     assert cycling(race_budgets.LONG, race_budgets.LONG_SPREADING) in told.split(short)[1]
+
+
+def test_the_best_script_of_a_result_is_of_all_scripts_that_can_play():
+    """Careful ones are among them; whatever names the best script asks one function for them."""
+    kept = np.load(RESULTS / "policies/numbers.npz")
+    places = {kind.split(": ")[0]: each.game.world for kind, each in policies.kinds(False).items()}
+    for place, world in places.items():
+        for team in TEAMS:
+            names = kept[f"scripts in {place}: {team}"].tolist()
+            assert {*names} == {*scripts_for(team, world)}, (place, team)
+            assert any(name.startswith("careful-") for name in names)
+    kept = np.load(RESULTS / "balanced_races/numbers.npz")
+    for place in WORLDS:
+        for team in TEAMS:
+            best, _ = kept[f"{place}: {team}"]
+            assert best == learning_or_competing.BEST[place][team]
+            assert best in scripts_for(team, WorldConfig.of(place))
