@@ -3,6 +3,7 @@
 import importlib
 import re
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -107,5 +108,18 @@ def test_what_rates_moves_ends_in_words(tmp_path, monkeypatch):
         assert sorted(sizes) == sorted(round(abs(each["value"]), 3) for each in named)
     known = "Known beyond the view: pursuers: right of way, a direction for 12 steps; "
     assert known in run_together(told)
+    several = {name: value for name, value in race.items() if name != "seed"}
+    rating = (*words(several), *one, "--set", "policy=rating")
+    told = run_together(evolved("--out", "seeds", "--seeds", "1-3", *rating).stdout)
+    every = [read_json(path)["pursuers"]["evolved"] for path in Path("seeds").rglob("scores.json")]
+    named = Counter(
+        term["input"] for each in every for term in each["terms"] if term["lost"]["low"] > 0
+    )
+    assert len(every) == 3
+    assert named
+    [listed] = re.findall(
+        "Seeds, of 3, in which an input of pursuers is worth something: ([^.]*)", told
+    )
+    assert dict(re.findall(r"(\w+) (\d)", listed)) == {k: str(v) for k, v in named.items()}
     program = ("--set", "policy=program", "--learner", "gp")
     assert "rating = " in evolved("--out", "programs", *words(race), *one, *program).stdout

@@ -145,11 +145,12 @@ def _in_all_seeds(team: str, evolved: Sequence[Mapping[str, Any]]) -> list[str]:
         if term["lost"]
     )
     lines = []
-    for sign, words in ((1, "worth something"), (-1, "better left out")):
+    for sign, words in ((1, "is worth something"), (-1, "is better left out")):
         counts = {name: count for (name, of), count in signs.most_common() if of == sign}
         if counts:
             listed = ", ".join(f"{name} {count}" for name, count in counts.items())
-            lines.append(f"In the {len(evolved)} seeds, of {team} {words}: {listed}.")
+            seeds = f"Seeds, of {len(evolved)}, in which an input of {team} {words}"
+            lines.append(f"{seeds}: {listed}.")
     return lines
 
 
