@@ -15,6 +15,7 @@ from common import SAME_STEPS, SMALL_RACE
 from judgement_races import (
     HARD,
     KINDS,
+    OUTLIERS,
     Draws,
     SyntheticRace,
     disengagement,
@@ -208,6 +209,7 @@ class Source(NamedTuple):
 
 SOURCES = {
     "hard": Source(synthetic_case, tuple(HARD), 3.0),
+    "outliers": Source(synthetic_case, tuple(OUTLIERS), 3.0),
     "synthetic": Source(synthetic_case, tuple(KINDS), 1.0),
     "power": Source(power_case, tuple(POWER), 1.0),
     "toy game": Source(toy_case, tuple(RACES), 0.25),

@@ -1,4 +1,4 @@
-"""Races for measuring the judgement: capture rates without noise, by formula, of 46 kinds.
+"""Races for measuring the judgement: capture rates without noise, by formula, of 54 kinds.
 
 A kind of race is a function of the number of generations n, an effect size (1 is plain to see) and
 nuisance parameters (levels, slopes, phases, differences between the teams), which are drawn from a
@@ -165,6 +165,40 @@ def late_onset(n: int, effect: float, draws: Draws) -> SyntheticRace:
     course = np.clip((time(n) - 0.6) / 0.4, 0.0, 1.0)
     a, b = draws.sizes(2.0 * effect)
     return additive(a * course, b * course, draws.level())
+
+
+def heavy_tails(
+    n: int, effect: float, draws: Draws, *, trend: float, free: float = 1.5
+) -> SyntheticRace:
+    """Both teams rise evenly by `trend` logits, and each generation has luck with heavy tails.
+
+    The luck is .25 times Student's t with so many degrees of freedom: 1.5 has no variance.
+    """
+    rises = np.array(draws.sizes(trend * effect))[:, None] * time(n)
+    luck = 0.25 * draws.own.standard_t(free, (2, n))
+    return SyntheticRace(additive(*(rises + luck), draws.level()).rates, *rises)
+
+
+def failed_generations(
+    n: int, effect: float, draws: Draws, *, trend: float, length: int = 1
+) -> SyntheticRace:
+    """Both teams rise evenly by `trend` logits, but 5 to 20 % of the generations fail.
+
+    A failure costs 2 to 4 logits for `length` generations.
+    """
+    rises = np.array(draws.sizes(trend * effect))[:, None] * time(n)
+    begins = draws.own.random((2, n)) < draws.shared.uniform(0.05, 0.2) / length
+    failed = begins.copy()
+    for later in range(1, length):
+        failed[:, later:] |= begins[:, :-later]
+    lost = np.where(failed, draws.shared.uniform(2.0, 4.0), 0.0)
+    return SyntheticRace(additive(*(rises - lost), draws.level()).rates, *rises)
+
+
+def heavy_steps(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Strengths are walks whose steps have heavy tails: Student's t with 1.5 degrees of freedom."""
+    walks = 0.6 * effect * np.cumsum(draws.own.standard_t(1.5, (2, n)), axis=1) / np.sqrt(n)
+    return by_chance(np.clip(walks, -8.0, 8.0), draws.level())
 
 
 # ---- Cycles --------------------------------------------------------------------------------------
@@ -486,6 +520,21 @@ HARD: Mapping[str, Kind] = {
 """Kinds without progress that look like it."""
 
 
+OUTLIERS: Mapping[str, Kind] = {
+    "heavy tails": Kind(partial(heavy_tails, trend=4.0), development=True),
+    "heavier tails": Kind(partial(heavy_tails, trend=4.0, free=1.0)),
+    "failed generations": Kind(partial(failed_generations, trend=4.0), development=True),
+    "failures in a row": Kind(partial(failed_generations, trend=4.0, length=2)),
+    "heavy tails, no trend": Kind(partial(heavy_tails, trend=0.0), development=True),
+    "failed generations, no trend": Kind(partial(failed_generations, trend=0.0), development=True),
+    "failures in a row, no trend": Kind(partial(failed_generations, trend=0.0, length=2)),
+    "heavy steps": Kind(heavy_steps),
+}
+"""Races, and races without a trend, with generations far from the others."""
+
+ALL_KINDS: Mapping[str, Kind] = {**KINDS, **HARD, **OUTLIERS}
+
+
 def synthetic_races(
     kind: str, n: int, seed: int, *, effect: float = 1.0, runs: int = 1
 ) -> list[SyntheticRace]:
@@ -493,7 +542,7 @@ def synthetic_races(
 
     The effect is the size of what the kind is about (a rise, an amplitude, a loss).
     """
-    return [{**KINDS, **HARD}[kind].make(n, effect, Draws(seed, run)) for run in range(runs)]
+    return [ALL_KINDS[kind].make(n, effect, Draws(seed, run)) for run in range(runs)]
 
 
 # ---- Matches -------------------------------------------------------------------------------------

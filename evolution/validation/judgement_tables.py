@@ -13,7 +13,7 @@ import numpy as np
 from scipy.stats import beta
 
 from common import markdown
-from judgement_races import HARD, KINDS
+from judgement_races import ALL_KINDS
 from judgement_truths import WINDOWS
 from matrixworld.analysis import CONDITIONS
 
@@ -43,9 +43,9 @@ SIZES = {
 
 def sample(judgement: dict[str, Any]) -> str:
     """Return the part of the benchmark that a race belongs to."""
-    if judgement["source"] not in ("synthetic", "hard"):
+    if judgement["source"] not in ("synthetic", "hard", "outliers"):
         return str(judgement["source"])
-    return DEVELOPMENT if {**KINDS, **HARD}[judgement["kind"]].development else HELD_BACK
+    return DEVELOPMENT if ALL_KINDS[judgement["kind"]].development else HELD_BACK
 
 
 def count_verdicts(judgements: Iterable[dict[str, Any]]) -> list[Row]:
@@ -213,7 +213,7 @@ def _known(rows: Sequence[Row], *heads: str) -> list[tuple[str, ...]]:
     # A kind may be named like a condition, which comes first.
     order = {
         name: place
-        for place, name in enumerate(dict.fromkeys((*CONDITIONS, *WINDOWS, *KINDS, *HARD)))
+        for place, name in enumerate(dict.fromkeys((*CONDITIONS, *WINDOWS, *ALL_KINDS)))
     }
     keys = {tuple(row[head] for head in heads) for row in rows}
     return sorted(keys, key=lambda key: [(order.get(part, 99), part) for part in key])

@@ -455,20 +455,26 @@ def _joint_mean(payoffs: Payoffs, window: Window, level: float) -> Estimate:
 def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     if window.generations < GENERATIONS_TO_JUDGE:
         return Estimate(math.nan, note=Reason(Why.TOO_SHORT))
-    gain = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
-    scores = payoffs.side(team).matrices.mean(axis=0)[_span(window, team)]
-    note = Reason(Why.FALLS_BACK) if strength.falls_back(scores) else NOTHING
+    _, noise = _courses(payoffs, window, team)
+    scores = _without_outliers(payoffs, window, team)
+    gain = strength.gain_of_runs(scores.mean(axis=2), noise, level=level)
+    note = Reason(Why.FALLS_BACK) if strength.falls_back(scores.mean(axis=0)) else NOTHING
     if len(payoffs) > 1:
         return replace(gain, across="runs", samples=len(payoffs), note=note)
     return replace(gain, across="episodes", samples=payoffs.episodes or 0, note=note)
+
+
+def _without_outliers(payoffs: Payoffs, window: Window, team: str) -> Rates:
+    """Return the payoffs (runs, k, m) of a team in a window, without outlying generations."""
+    matrices = payoffs.side(team).matrices[:, _span(window, team)]
+    return np.stack([strength.without_outliers(matrix) for matrix in matrices])
 
 
 def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     change = _deciding(payoffs, window, level, of_run=_change_of_run, team=team)
     if change.low is None or change.low <= 0.0 <= (change.high or 0.0):
         return change
-    course = _courses(payoffs, window, team)[0].mean(axis=0)
-    if strength.is_sustained(course):
+    if strength.is_sustained(_without_outliers(payoffs, window, team).mean(axis=(0, 2))):
         return change
     return replace(change, note=Reason(Why.NOT_SUSTAINED))
 

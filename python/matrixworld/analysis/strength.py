@@ -14,7 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis import intervals
 from matrixworld.analysis.intervals import LEVEL, Estimate, t_ends, t_quantile
-from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff, swap_teams
+from matrixworld.analysis.payoffs import (
+    GENERATIONS_TO_JUDGE,
+    ByTeam,
+    Rates,
+    check_payoff,
+    swap_teams,
+)
 
 GRID = 40  # values of each standard deviation over which the posterior is summed
 WIDEST = (4.0, 3.0)
@@ -23,8 +29,40 @@ observed steps."""
 PARTS = 5  # parts of a course, none of which may fall back, and of the opponents
 SETBACK, OF_GAIN = 0.25, 0.05
 """Share of its change by which a sustained course goes back at most, and the course of a gain."""
+OUTLYING, LEAST_OUTLYING = 3.0, 0.05
+"""An outlying generation is so many median steps, and at least so much, from its neighbours."""
+NEARBY = 5  # steps before a generation, and after it, that are nearby
 _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
 _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
+
+
+def without_outliers(scores: Rates) -> Rates:
+    """Return scores (k, m) of a team with lines between the others in place of outlying generations.
+
+    A generation is outlying if its mean is far from the median of five: its own, and those of two
+    generations on either side. A single jump of strength is none, because it stays. "Far" is by
+    the median step of all generations and of those nearby, so that a team that changes much in
+    every generation has no outliers. If more than a third are outlying, all remain.
+
+    The filter is Hampel's: Davies and Gather (1993), "The identification of multiple outliers",
+    Journal of the American Statistical Association 88.
+    """
+    course = scores.mean(axis=1)
+    places = np.arange(len(course))
+    if len(course) < GENERATIONS_TO_JUDGE:
+        return scores
+    steps = np.abs(np.diff(course))
+    nearby = [np.median(steps[max(0, g - NEARBY) : g + NEARBY]) for g in places]
+    fives = np.lib.stride_tricks.sliding_window_view(course, 5)
+    # The first two generations have the median of the first three, and the last two likewise.
+    ends = np.median([course[:3], course[-3:]], axis=1)
+    middles = np.r_[ends[[0, 0]], np.median(fives, axis=1), ends[[1, 1]]]
+    far = OUTLYING * np.maximum(np.median(steps), nearby)
+    outlying = np.abs(course - middles) > np.maximum(far, LEAST_OUTLYING)
+    if not 0 < outlying.sum() <= len(course) / 3.0:
+        return scores
+    kept = np.flatnonzero(~outlying)
+    return np.stack([np.interp(places, kept, column[kept]) for column in scores.T], axis=1)
 
 
 def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
