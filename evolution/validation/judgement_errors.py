@@ -30,9 +30,10 @@ import math
 from collections.abc import Iterable, Iterator
 from concurrent.futures import as_completed
 from contextlib import closing
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
+from unittest import mock
 
 import numpy as np
 from tqdm import tqdm
@@ -45,9 +46,10 @@ import judgement_truths
 from common import executor_of, script_parser
 from course import toys
 from judgement_cases import SOURCES
-from judgement_races import KINDS
-from judgement_tables import write_tables
+from judgement_races import ALL_KINDS
+from judgement_tables import PROGRESS, write_tables
 from matrixworld import analysis
+from matrixworld.analysis import strength
 
 FIRST_SEED = 10_000
 """Published seeds start here; seeds below 1000 are for setting constants."""
@@ -63,20 +65,35 @@ class Task(NamedTuple):
 
 
 def judged(task: Task) -> dict[str, Any]:
-    """Play a task, judge it, and return truth and verdicts as plain values."""
+    """Play a task, judge it, and return truth and verdicts as plain values.
+
+    Progress is judged a second time with outlying generations, which a judgement leaves out.
+    """
     case = SOURCES[task.source].case(task.kind, task.seed)
-    judgement = analysis.judge(case.scores, per_episode=case.per_episode, episodes=case.episodes)
-    found, changes = [], []
+    judge = partial(
+        analysis.judge, case.scores, per_episode=case.per_episode, episodes=case.episodes
+    )
+    judgement = judge()
+    with mock.patch.object(strength, "without_outliers", lambda scores: scores):
+        with_outliers = judge()
+    found, found_with_outliers, changes = [], [], []
     for window, truths in case.truths.items():
-        # A race may be too short for a window.
-        findings = judgement.windows.get(window)
+        findings = judgement.windows[window]
         for condition, truth in truths.items():
-            verdict = findings[condition].verdict if findings is not None else "cannot tell"
-            found.append([window, condition, truth.holds, round(truth.size, 4), verdict])
-        if findings is not None:
-            estimates = findings["rise"].estimates
-            changes += list(_changes(window, case.changes.get(window, []), estimates))
-    return task._asdict() | {"setting": case.setting, "found": found, "changes": changes}
+            size = round(truth.size, 4)
+            found.append([window, condition, truth.holds, size, findings[condition].verdict])
+        found_with_outliers += [
+            [window, name, truths[name].holds, with_outliers.windows[window][name].verdict]
+            for name in PROGRESS
+        ]
+        estimates = findings["rise"].estimates
+        changes += list(_changes(window, case.changes.get(window, []), estimates))
+    return task._asdict() | {
+        "setting": case.setting,
+        "found": found,
+        "with_outliers": found_with_outliers,
+        "changes": changes,
+    }
 
 
 def _changes(
@@ -153,7 +170,7 @@ def chosen_tasks(seeds: int, *, development: bool) -> Iterator[Task]:
         # Seeds outside: an interrupted script has judged as many of each kind.
         for seed in range(FIRST_SEED, FIRST_SEED + math.ceil(source.share * seeds)):
             for kind in source.kinds:
-                if not development or (name == "synthetic" and KINDS[kind].development):
+                if not development or (kind in ALL_KINDS and ALL_KINDS[kind].development):
                     yield Task(name, kind, seed)
 
 

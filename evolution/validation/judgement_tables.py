@@ -13,7 +13,7 @@ import numpy as np
 from scipy.stats import beta
 
 from common import markdown
-from judgement_races import ALL_KINDS
+from judgement_races import ALL_KINDS, OUTLIERS
 from judgement_truths import WINDOWS
 from matrixworld.analysis import CONDITIONS
 
@@ -45,7 +45,7 @@ def sample(judgement: dict[str, Any]) -> str:
     """Return the part of the benchmark that a race belongs to."""
     if judgement["source"] not in ("synthetic", "hard", "outliers"):
         return str(judgement["source"])
-    return DEVELOPMENT if ALL_KINDS[judgement["kind"]].development else HELD_BACK
+    return _sample_of(judgement["kind"])
 
 
 def count_verdicts(judgements: Iterable[dict[str, Any]]) -> list[Row]:
@@ -65,26 +65,37 @@ def count_races(judgements: Iterable[dict[str, Any]]) -> list[Row]:
     """Return how many races are said to make progress, by kind, size of the group and truth.
 
     A race counts once. Said falsely: an arms race or one-sided progress in any window that has
-    none; falsely in any way: any condition that is not there.
+    none; falsely in any way: any condition that is not there. "With outliers": of judgements that
+    do not leave out outlying generations.
     """
     counts: Counter[tuple[str, ...]] = Counter()
     for one in judgements:
         runs = int(one["setting"].get("runs", 1))
         size = next(name for most, name in GROUPS.items() if runs <= most)
-        found = [(window, name, holds, v == PRESENT) for window, name, holds, _, v in one["found"]]
-        alarms = {name for _, name, holds, present in found if present and holds is False}
-        [(holds, hit)] = [(h, p) for w, name, h, p in found if (w, name) == ("whole", "arms race")]
+        found = [(window, name, holds, verdict) for window, name, holds, _, verdict in one["found"]]
+        [holds] = [h for w, name, h, _ in found if (w, name) == ("whole", "arms race")]
         key = (one["kind"], size, str(holds))
         counts[(*key, "races")] += 1
-        counts[(*key, "hits")] += hit and bool(holds)
-        counts[(*key, "false progress")] += bool(alarms & {*PROGRESS})
-        counts[(*key, "false")] += bool(alarms)
-    numbers = ("races", "hits", "false progress", "false")
+        counts[(*key, "false")] += bool(_alarms(found))
+        for ending, each in (("", found), (WITH_OUTLIERS, one["with_outliers"])):
+            counts[(*key, f"hits{ending}")] += bool(holds) and (
+                ("whole", "arms race", True, PRESENT) in map(tuple, each)
+            )
+            counts[(*key, f"false progress{ending}")] += bool(_alarms(each) & {*PROGRESS})
+    numbers = (
+        "races", "hits", "false progress", "false", f"hits{WITH_OUTLIERS}",
+        f"false progress{WITH_OUTLIERS}",
+    )  # fmt: skip
     return [
         dict(zip(("kind", "runs", "truth"), key, strict=True))
         | {name: str(counts[(*key, name)]) for name in numbers}
         for key in sorted({key[:3] for key in counts})
     ]
+
+
+def _alarms(found: Iterable[Sequence[Any]]) -> set[str]:
+    """Return the conditions that are present in any window, and not there."""
+    return {name for _, name, holds, verdict in found if verdict == PRESENT and holds is False}
 
 
 def count_by_setting(judgements: Iterable[dict[str, Any]]) -> list[Row]:
@@ -154,6 +165,7 @@ def totals(rows: Iterable[Row], **wanted: str) -> dict[str, int]:
 
 
 PROGRESS = ("arms race", "one-sided progress")
+WITH_OUTLIERS = ", with outliers"
 GROUPS = {1: "1", 3: "2 or 3", 10: "4 to 10"}
 """Sizes of groups by their most runs."""
 LEAST = 8
@@ -212,8 +224,7 @@ def _known(rows: Sequence[Row], *heads: str) -> list[tuple[str, ...]]:
     """Return the combinations of values that occur, in the order of the conditions."""
     # A kind may be named like a condition, which comes first.
     order = {
-        name: place
-        for place, name in enumerate(dict.fromkeys((*CONDITIONS, *WINDOWS, *ALL_KINDS)))
+        name: place for place, name in enumerate(dict.fromkeys((*CONDITIONS, *WINDOWS, *ALL_KINDS)))
     }
     keys = {tuple(row[head] for head in heads) for row in rows}
     return sorted(keys, key=lambda key: [(order.get(part, 99), part) for part in key])
@@ -230,6 +241,9 @@ def report(
         _by_race(races),
         "### Kinds",
         _kinds(races),
+        "## Outlying generations",
+        OUTLYING,
+        _outlying(races),
         "## By sample",
         _by(counts, "condition", "sample"),
         "## By window",
@@ -261,6 +275,11 @@ BY_RACE = (
     "Each race or group counts once. *Progress*: an arms race or one-sided progress is said of a "
     "window that has none. *Anything*: any condition that is not there. The worst kind stands "
     "beside the mean over races. Hits: arms races over the whole race that are found."
+)
+OUTLYING = (
+    "A judgement of progress leaves out generations that are far from their neighbours. The same "
+    "races judged with them: arms races over the whole race that are found, and races with an arms "
+    "race or one-sided progress said falsely of any window. Single kinds are those about outliers."
 )
 SETTINGS = (
     "Synthetic races, whole race: hits (of races that have the condition) / false alarms (of "
@@ -315,6 +334,37 @@ def _kinds(rows: Sequence[Row]) -> str:
                 ])  # fmt: skip
     heads = ("kind", "runs", "races", "progress, falsely", "at most", "anything, falsely", "hits")
     return markdown(heads, found)
+
+
+def _outlying(rows: Sequence[Row]) -> str:
+    found = []
+    others = "all other kinds"
+    for kind in (*OUTLIERS, others):
+        for size in GROUPS.values():
+            of = [
+                row
+                for row in rows
+                if row["runs"] == size
+                and (row["kind"] == kind if kind in OUTLIERS else row["kind"] not in OUTLIERS)
+            ]
+            true = _counted([row for row in of if row["truth"] == "True"], "races")
+            if not of:
+                continue
+            cells = [kind, _sample_of(kind), size]
+            for name, races in (("hits", true), ("false progress", _counted(of, "races"))):
+                for ending in ("", WITH_OUTLIERS):
+                    count = _counted(of, f"{name}{ending}")
+                    cells.append(f"{count} of {races}" if races else "-")
+            found.append(cells)
+    heads = ("kind", "sample", "runs", "found", "found with outliers", "falsely",
+             "falsely with outliers")  # fmt: skip
+    return markdown(heads, found)
+
+
+def _sample_of(kind: str) -> str:
+    if kind not in ALL_KINDS:
+        return "both"
+    return DEVELOPMENT if ALL_KINDS[kind].development else HELD_BACK
 
 
 def _by(rows: Sequence[Row], *heads: str) -> str:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -78,6 +78,14 @@ class Estimate(Readable):
         if self.low is None or self.high is None:
             raise ValueError(f"expected an estimate with an interval, got {self}: {self.note}")
         return self.low, self.high
+
+    def clipped(self, bounds: Bounds) -> Estimate:
+        """Return the estimate with value and ends inside bounds; NaN stays NaN."""
+        value, low, high = (
+            end if end is None else float(np.clip(end, *bounds))
+            for end in (self.value, self.low, self.high)
+        )
+        return replace(self, value=cast(float, value), low=low, high=high)
 
     @property
     def sign(self) -> int:

@@ -37,7 +37,7 @@ _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a widt
 
 
 def without_outliers(scores: Rates) -> Rates:
-    """Return scores (k, m) of a team with lines between the others in place of outlying generations.
+    """Return scores (k, m) of a team; outlying generations lie on lines between the others.
 
     A generation is outlying if its mean is far from the median of five: its own, and those of two
     generations on either side. A single jump of strength is none, because it stays. "Far" is by
