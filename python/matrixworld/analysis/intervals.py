@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -80,12 +80,12 @@ class Estimate(Readable):
         return self.low, self.high
 
     def clipped(self, bounds: Bounds) -> Estimate:
-        """Return the estimate with value and ends inside bounds; NaN stays NaN."""
-        value, low, high = (
-            end if end is None else float(np.clip(end, *bounds))
-            for end in (self.value, self.low, self.high)
-        )
-        return replace(self, value=cast(float, value), low=low, high=high)
+        """Return the estimate with value and ends inside bounds, if it has an interval."""
+        if self.low is None or self.high is None:
+            return self
+        least, most = bounds
+        value, low, high = (min(max(number, least), most) for number in (self.value, *self.ends))
+        return replace(self, value=value, low=low, high=high)
 
     @property
     def sign(self) -> int:

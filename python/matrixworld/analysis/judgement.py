@@ -139,6 +139,8 @@ _OF_STRENGTH = frozenset(
 """Conditions that say whether a team improved, or why that is not known."""
 WHOLE = "whole"
 HALVES = ("first half", "last half")
+BOTH_HALVES = "both halves"
+"""Where a sentence tells what is present in either half, and not known of the whole race."""
 LEAST_LEAD = 0.05
 """A team has learned if its late generations are better than generation 0 by more than this."""
 
@@ -158,14 +160,16 @@ def sentence(judgement: Judgement) -> str:
     events = _events(judgement)
     told = {name for names in events.values() for name in names} & _OF_STRENGTH
     early = "" if told - {"stagnation"} else _learned_early(judgement)
-    if early and "stagnation" in events.get(HALVES[0], {}):
-        del events[HALVES[0]]["stagnation"]  # it is the half in which they learned
+    if early:  # in the first half
+        if "stagnation" in events[BOTH_HALVES]:
+            events[HALVES[1]]["stagnation"] = events[BOTH_HALVES].pop("stagnation")
+        events[HALVES[0]].pop("stagnation", None)
     clauses = [
         _beginning(judgement, each) + _clause(events[each]) for each in events if events[each]
     ]
-    if early and "stagnation" in events.get(WHOLE, {}):
+    if early and "stagnation" in events[WHOLE]:
         clauses[0] = f"{early}; after that {clauses[0]}"
-    elif early and "stagnation" in events.get(HALVES[1], {}):
+    elif early and "stagnation" in events[HALVES[1]]:
         clauses = [early, *clauses]
     elif early:
         clauses = [f"{early}; after that {_no_progress(replace(judgement, runs=1))}", *clauses]
@@ -192,17 +196,17 @@ def clarity(judgement: Judgement) -> tuple[bool, float]:
 
 def _events(judgement: Judgement) -> dict[str, dict[str, Event]]:
     """Return what a sentence tells: of each window the conditions, and who did what."""
-    events: dict[str, dict[str, Event]] = {window: {} for window in (WHOLE, *HALVES)}
+    events: dict[str, dict[str, Event]] = {w: {} for w in (WHOLE, BOTH_HALVES, *HALVES)}
     judged = judgement.findings
     for name in sorted(judged, key=lambda condition: condition not in _OF_STRENGTH):
         windows = _windows_of(judgement, name)
         told = [_happened(judgement, window, name) for window in windows]
-        if len(told) == 2 and told[0] == told[1]:  # the same in both halves
-            windows = [WHOLE]
+        if len(told) == 2 and told[0] == told[1]:
+            windows = [BOTH_HALVES]
             told = told[:1]
         for window, event in zip(windows, told, strict=True):
             events[window][name] = event
-    return {window: told for window, told in events.items() if told}
+    return events
 
 
 def _windows_of(judgement: Judgement, name: str) -> list[str]:
@@ -248,8 +252,8 @@ def _happened(judgement: Judgement, window: str, name: str) -> Event:
         "joint": _joint_size(finding),
     }
     if name == "stagnation" and judgement.one_population:
-        said = "ended neither stronger nor weaker{but}"
-        return Event(f"the {judgement.teams[0]}", said.format(**words))
+        did = "ended neither stronger nor weaker{but}"
+        return Event(f"the {judgement.teams[0]}", did.format(**words))
     said = _words(name)
     return Event(said.who.format(**words), said.did.format(**words))
 
@@ -351,8 +355,8 @@ def _who_leads(judgement: Judgement, leads: Mapping[str, Lead]) -> tuple[str, st
 
 def _beginning(judgement: Judgement, window: str) -> str:
     """Return a window in words, as the beginning of a clause about it."""
-    if window == WHOLE:
-        return ""
+    if window in (WHOLE, BOTH_HALVES):
+        return "in both halves, " if window == BOTH_HALVES else ""
     pursuers, evaders = judgement.shape
     is_first = window == HALVES[0]
     # The last half begins with the middle generation; teams of different length share no number.
