@@ -216,7 +216,7 @@ def _windows_of(judgement: Judgement, name: str) -> list[str]:
         return halves
     # A half speaks for itself if the other one surely differs.
     verdicts = {judgement.windows[half][name].verdict for half in HALVES}
-    return halves if verdicts == {PRESENT, ABSENT} else [WHOLE]
+    return halves if halves and verdicts == {PRESENT, ABSENT} else [WHOLE]
 
 
 def _not_implied(judgement: Judgement, window: str) -> list[str]:
