@@ -74,7 +74,7 @@ def judged(task: Task) -> dict[str, Any]:
         analysis.judge, case.scores, per_episode=case.per_episode, episodes=case.episodes
     )
     judgement = judge()
-    with mock.patch.object(strength, "without_outliers", lambda scores: scores):
+    with mock.patch.object(strength, "without_outliers", lambda scores, noise: scores):
         with_outliers = judge()
     found, found_with_outliers, changes = [], [], []
     for window, truths in case.truths.items():

@@ -21,21 +21,8 @@ Row = dict[str, str]
 VERDICTS = PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
 DEVELOPMENT, HELD_BACK = "development", "held back"
 
-SIZES = {
-    "arms race": ("smaller gain of capture rate", (0.02, 0.05, 0.1, 0.2, 0.3, 0.5)),
-    "one-sided progress": ("gain of capture rate", (0.02, 0.05, 0.1, 0.2, 0.4, 0.6)),
-    "stagnation": (
-        "larger change of capture rate (0: true)",
-        (0.0, 0.005, 0.02, 0.05, 0.1, 0.2, 0.4),
-    ),
-    "rise": ("change of capture rate", (0.07, 0.1, 0.15, 0.2, 0.3, 0.5)),
-    "intransitivity": ("share of checkerboards", (0.02, 0.04, 0.08, 0.14, 0.2, 0.3)),
-    "cycling": ("similarity to the own past", (0.3, 0.4, 0.5, 0.6, 0.8, 1.0)),
-    "forgetting": ("drop of capture rate", (0.1, 0.15, 0.2, 0.3, 0.4, 0.6)),
-    "disengagement": ("payoff of the winning team", (0.97, 0.98, 0.985, 0.99, 0.995, 1.0)),
-}
-"""Size of an effect in words, and edges of the bins of the figure, in the units of
-`judgement_truths.truths`. The last bin has no upper end."""
+GAINS = (0.02, 0.05, 0.1, 0.2, 0.3, 0.5)
+"""Edges of the bins of the figure: the smaller gain of both teams. The last has no upper end."""
 
 
 # ---- Counts --------------------------------------------------------------------------------------
@@ -112,23 +99,17 @@ def count_by_setting(judgements: Iterable[dict[str, Any]]) -> list[Row]:
     )
 
 
-def count_by_size(judgements: Iterable[dict[str, Any]]) -> list[Row]:
-    """Return verdicts on the races for power curves, last half, by noise and size of effect.
-
-    Races that have the condition; for stagnation, all that are engaged and have no cycle.
-    """
+def count_by_gain(judgements: Iterable[dict[str, Any]]) -> list[Row]:
+    """Return verdicts "arms race" on the last half of such races, by noise and true gain."""
     counted = []
     for one in judgements:
-        found = {c: (t, size, v) for w, c, t, size, v in one["found"] if w == "last half"}
-        still_possible = found["intransitivity"][0] is found["disengagement"][0] is False
-        for condition, (holds, size, verdict) in found.items():
-            if holds or (condition == "stagnation" and still_possible):
-                edges = SIZES[condition][1]
-                # Effects beyond the last edge belong to the last bin.
-                place = min(int(np.searchsorted(edges, size, "right")), len(edges) - 1)
-                ends = (f"{edges[place - 1]:g}", f"{edges[place]:g}")
-                counted.append(((condition, one["setting"]["noise"], *ends), verdict))
-    return _wide(("condition", "noise", "from", "to"), counted)
+        for window, condition, holds, gain, verdict in one["found"]:
+            if holds and (window, condition) == ("last half", "arms race"):
+                # Gains beyond the last edge belong to the last bin.
+                place = min(int(np.searchsorted(GAINS, gain, "right")), len(GAINS) - 1)
+                ends = (f"{GAINS[place - 1]:g}", f"{GAINS[place]:g}")
+                counted.append(((one["setting"]["noise"], *ends), verdict))
+    return _wide(("noise", "from", "to"), counted)
 
 
 def count_changes(judgements: Iterable[dict[str, Any]]) -> list[Row]:
@@ -464,15 +445,15 @@ def report_of(results: Path) -> str:
 
 def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     """Write counts, tables and figure to a directory, and return the tables."""
-    sizes = count_by_size(one for one in judgements if one["source"] == "power")
-    # Effects of the power curves are small on purpose, and would hide those of the other races.
+    gains = count_by_gain(one for one in judgements if one["source"] == "power")
+    # Gains of the power curves are small on purpose, and would hide those of the other races.
     others = [one for one in judgements if one["source"] != "power"]
     files = {name: count(others) for name, count in COUNTS.items()}
-    for name, rows in (files | {"power": sizes}).items():
+    for name, rows in (files | {"power": gains}).items():
         write_counts(rows, results / f"{name}.csv")
     text = report_of(results)
     (results / "errors.md").write_text(text, encoding="utf-8")
-    draw_power(sizes, results / "power.png")
+    draw_power(gains, results / "power.png")
     return text
 
 
@@ -481,8 +462,7 @@ def draw_power(rows: Sequence[Row], file: Path, least: int = 5) -> None:
 
     A bin of gains needs `least` races; a number of episodes without bins has no bar.
     """
-    races = [row for row in rows if row["condition"] == "arms race"]
-    points = {noise: _points(races, noise, least) for noise in {row["noise"] for row in races}}
+    points = {noise: _points(rows, noise, least) for noise in {row["noise"] for row in rows}}
     found = {noise: _half_found(each) for noise, each in points.items() if each}
     noises = sorted(found, key=found.__getitem__, reverse=True)
     figure, axis = plt.subplots(figsize=(7, 2.8), constrained_layout=True)

@@ -82,9 +82,10 @@ def judge(
     A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
     about this run: its episodes, and for gains the fluctuation between its generations. Of 2 or 3
     runs each has to show what is present. More have Student's t interval over runs; a gain must
-    also be a trend of the mean course, and remain without one jump of each run. "Rise" says that a
-    team became stronger in what was played; "arms race" and "one-sided progress" say that no random
-    walk explains it. Runs that are disengaged are left out of the other conditions.
+    also be one of the mean course, and remain without one jump of each run. "Rise" says that a
+    team ended stronger in what was played; "arms race" and "one-sided progress" say that it
+    improved: no random walk explains it. Runs that are disengaged are left out of the other
+    conditions, if four others remain.
     In a game with the scores of both teams, and of one population, other conditions are judged, and
     `Judgement.refused` says why the rest have no meaning. docs/analysis.md defines the conditions;
     evolution/results/judgement has how often verdicts are wrong.

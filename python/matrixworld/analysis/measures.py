@@ -505,8 +505,7 @@ def _joint_mean(payoffs: Payoffs, window: Window, level: float) -> Estimate:
 def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     if window.generations < GENERATIONS_TO_JUDGE:
         return Estimate(math.nan, note=Reason(Why.TOO_SHORT))
-    _, noise = _courses(payoffs, window, team)
-    scores = _without_outliers(payoffs, window, team)
+    scores, noise = _without_outliers(payoffs, window, team)
     gain = strength.gain_of_runs(scores.mean(axis=2), noise, level=level)
     note = Reason(Why.FALLS_BACK) if strength.falls_back(scores.mean(axis=0)) else NOTHING
     if len(payoffs) > 1:
@@ -514,17 +513,20 @@ def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estim
     return replace(gain, across="episodes", samples=payoffs.episodes or 0, note=note)
 
 
-def _without_outliers(payoffs: Payoffs, window: Window, team: str) -> Rates:
-    """Return the payoffs (runs, k, m) of a team in a window, without outlying generations."""
+def _without_outliers(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]:
+    """Return payoffs (runs, k, m) of a team without outlying generations, and noise of means."""
     matrices = payoffs.side(team).matrices[:, _span(window, team)]
-    return np.stack([strength.without_outliers(matrix) for matrix in matrices])
+    _, noise = _courses(payoffs, window, team)
+    runs = zip(matrices, noise, strict=True)
+    return np.stack([strength.without_outliers(*run) for run in runs]), noise
 
 
 def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     change = _deciding(payoffs, window, level, of_run=_change_of_run, team=team)
     if change.low is None or change.low <= 0.0 <= (change.high or 0.0):
         return change
-    if strength.is_sustained(_without_outliers(payoffs, window, team).mean(axis=(0, 2))):
+    scores, _ = _without_outliers(payoffs, window, team)
+    if strength.is_sustained(scores.mean(axis=(0, 2))):
         return change
     return replace(change, note=Reason(Why.NOT_SUSTAINED))
 

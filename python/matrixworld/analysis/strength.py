@@ -29,40 +29,52 @@ observed steps."""
 PARTS = 5  # parts of a course, none of which may fall back, and of the opponents
 SETBACK, OF_GAIN = 0.25, 0.05
 """Share of its change by which a sustained course goes back at most, and the course of a gain."""
-OUTLYING, LEAST_OUTLYING = 3.0, 0.05
-"""An outlying generation is so many median steps, and at least so much, from its neighbours."""
-NEARBY = 5  # steps before a generation, and after it, that are nearby
+OUTLYING, LEAST_OUTLYING = 4.0, 0.15
+"""An outlying generation is so many standard deviations, and so much, from its neighbours."""
+NEIGHBOURS, NEARBY = 3, 15  # generations on either side; all whose deviations are compared
+PER_MEDIAN = 1.4826  # standard deviation of normal numbers by their median distance from 0
 _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
 _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
 
 
-def without_outliers(scores: Rates) -> Rates:
+def without_outliers(scores: Rates, noise: Rates) -> Rates:
     """Return scores (k, m) of a team; outlying generations lie on lines between the others.
 
-    A generation is outlying if its mean is far from the median of five: its own, and those of two
-    generations on either side. A single jump of strength is none, because it stays. "Far" is by
-    the median step of all generations and of those nearby, so that a team that changes much in
-    every generation has no outliers. If more than a third are outlying, all remain.
+    A generation is outlying if its mean is far from the median of seven generations, itself in the
+    middle: as seen beside those of all generations, of those nearby, and beside the noise (k,), the
+    variance of the means. A jump of strength is none, because it stays. The last generation is
+    compared with the three before. If more than a third are outlying, all remain.
 
     The filter is Hampel's: Davies and Gather (1993), "The identification of multiple outliers",
     Journal of the American Statistical Association 88.
     """
     course = scores.mean(axis=1)
-    places = np.arange(len(course))
-    if len(course) < GENERATIONS_TO_JUDGE:
+    size = len(course)
+    if size < GENERATIONS_TO_JUDGE:
         return scores
-    steps = np.abs(np.diff(course))
-    nearby = [np.median(steps[max(0, g - NEARBY) : g + NEARBY]) for g in places]
-    fives = np.lib.stride_tricks.sliding_window_view(course, 5)
-    # The first two generations have the median of the first three, and the last two likewise.
-    ends = np.median([course[:3], course[-3:]], axis=1)
-    middles = np.r_[ends[[0, 0]], np.median(fives, axis=1), ends[[1, 1]]]
-    far = OUTLYING * np.maximum(np.median(steps), nearby)
-    outlying = np.abs(course - middles) > np.maximum(far, LEAST_OUTLYING)
-    if not 0 < outlying.sum() <= len(course) / 3.0:
+    off = np.abs(course - _running_median(course))[1:-1]  # the ends have no neighbours
+    first = np.clip(np.arange(size) - 1 - NEARBY // 2, 0, max(0, size - 2 - NEARBY))
+    nearby = np.array([np.median(off[start : start + NEARBY]) for start in first])
+    deviation = PER_MEDIAN * np.maximum(np.median(off), nearby)
+    far = OUTLYING * np.maximum(deviation, np.sqrt(noise.mean()))
+    far = np.maximum(far, LEAST_OUTLYING)
+    outlying = np.r_[False, off > far[1:-1], False]
+    usual = course[1:-1][~outlying[1:-1]]
+    if len(usual) >= NEIGHBOURS:
+        step = float(np.median(np.abs(np.diff(usual))))
+        last = abs(course[-1] - np.median(usual[-NEIGHBOURS:]))
+        outlying[-1] = last > max(far[-1], OUTLYING * step)
+    if not 0 < outlying.sum() <= size / 3.0:
         return scores
-    kept = np.flatnonzero(~outlying)
+    places, kept = np.arange(size), np.flatnonzero(~outlying)
     return np.stack([np.interp(places, kept, column[kept]) for column in scores.T], axis=1)
+
+
+def _running_median(course: Rates) -> Rates:
+    """Return medians of each number and its neighbours, as many before as after it."""
+    last = len(course) - 1
+    reach = [min(NEIGHBOURS, at, last - at) for at in range(len(course))]
+    return np.array([np.median(course[at - r : at + r + 1]) for at, r in enumerate(reach)])
 
 
 def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
