@@ -1,11 +1,11 @@
 """How often is the judgement of a race wrong? A benchmark of races whose truth is known.
 
-    python evolution/validation/judgement_errors.py --processes 2   the published tables, 20 minutes
+    python evolution/validation/judgement_errors.py --seeds 16   the published tables, 20 minutes
     python evolution/validation/judgement_errors.py --quick         small samples, a minute
 
 Three sources of races, none of which uses the judgement:
 
-- synthetic races (`judgement_races.py`): 54 kinds by formula, each seed with its own nuisance
+- synthetic races (`judgement_races.py`): 56 kinds by formula, each seed with its own nuisance
   parameters, effect size, noise, number of generations and number of runs. Constants of the
   judgement may have been set on kinds marked *development*, with seeds below 1000; all others are
   *held back*;
@@ -14,8 +14,8 @@ Three sources of races, none of which uses the judgement:
   opponents are put in random order.
 
 `judgement_cases.py` plays the races, `judgement_truths.py` says what is true of them, and
-`judgement_tables.py` counts verdicts, writes tables and draws hits by size of the effect, on races
-of their own.
+`judgement_tables.py` counts verdicts, writes tables and draws at which gain half of the arms races
+are found, on races of their own. Progress is judged a second time with outlying generations.
 
 Look at false alarms first (a condition is called present and is not), by kind and window; then at
 hits, and at "cannot tell". Judgements are appended to ``judgements.jsonl`` in ``--results``; an

@@ -1,4 +1,4 @@
-"""Races for measuring the judgement: capture rates without noise, by formula, of 54 kinds.
+"""Races for measuring the judgement: capture rates without noise, by formula, of 56 kinds.
 
 A kind of race is a function of the number of generations n, an effect size (1 is plain to see) and
 nuisance parameters (levels, slopes, phases, differences between the teams), which are drawn from a
@@ -180,19 +180,20 @@ def heavy_tails(
 
 
 def failed_generations(
-    n: int, effect: float, draws: Draws, *, trend: float, length: int = 1
+    n: int, effect: float, draws: Draws, *, trend: float, length: int = 1, sign: float = -1.0
 ) -> SyntheticRace:
     """Both teams rise evenly by `trend` logits, but 5 to 20 % of the generations fail.
 
-    A failure costs 2 to 4 logits for `length` generations.
+    A failure costs 2 to 4 logits for `length` generations; with a sign of 1 it is luck instead.
     """
     rises = np.array(draws.sizes(trend * effect))[:, None] * time(n)
     begins = draws.own.random((2, n)) < draws.shared.uniform(0.05, 0.2) / length
     failed = begins.copy()
     for later in range(1, length):
         failed[:, later:] |= begins[:, :-later]
-    lost = np.where(failed, draws.shared.uniform(2.0, 4.0), 0.0)
-    return SyntheticRace(additive(*(rises - lost), draws.level()).rates, *rises)
+    size = sign * draws.shared.uniform(2.0, 4.0)
+    strengths = rises + np.where(failed, size, 0.0)
+    return SyntheticRace(additive(*strengths, draws.level()).rates, *rises)
 
 
 def heavy_steps(n: int, effect: float, draws: Draws) -> SyntheticRace:
@@ -528,7 +529,9 @@ OUTLIERS: Mapping[str, Kind] = {
     "heavy tails, no trend": Kind(partial(heavy_tails, trend=0.0), development=True),
     "failed generations, no trend": Kind(partial(failed_generations, trend=0.0), development=True),
     "failures in a row, no trend": Kind(partial(failed_generations, trend=0.0, length=2)),
-    "heavy steps": Kind(heavy_steps),
+    "heavy steps": Kind(heavy_steps, development=True),
+    "lucky generations": Kind(partial(failed_generations, trend=4.0, sign=1.0)),
+    "lucky generations, no trend": Kind(partial(failed_generations, trend=0.0, sign=1.0)),
 }
 """Races, and races without a trend, with generations far from the others."""
 

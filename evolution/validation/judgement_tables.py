@@ -255,7 +255,7 @@ INTRODUCTION = (
 BY_RACE = (
     "Each race or group counts once. *Progress*: an arms race or one-sided progress is said of a "
     "window that has none. *Anything*: any condition that is not there. The worst kind stands "
-    "beside the mean over races. Hits: arms races over the whole race that are found."
+    "beside the count over races. Found: arms races over the whole race."
 )
 OUTLYING = (
     "A judgement of progress leaves out generations that are far from their neighbours. The same "
@@ -263,8 +263,8 @@ OUTLYING = (
     "race or one-sided progress said falsely of any window. Single kinds are those about outliers."
 )
 SETTINGS = (
-    "Synthetic races, whole race: hits (of races that have the condition) / false alarms (of "
-    "those that do not), in %."
+    "Synthetic races, whole race: hits, of races that have the condition / false alarms, of "
+    "those that do not."
 )
 COVERAGE = (
     "Share of the 95 % intervals of a team's change that contain the true change of its strength; "
@@ -281,8 +281,8 @@ def _by_race(rows: Sequence[Row]) -> str:
     found = []
     for size in GROUPS.values():
         of = [row for row in rows if row["runs"] == size]
-        true = [row for row in of if row["truth"] == "True"]
-        cells = [size, str(_counted(of, "races"))]
+        races = _counted(of, "races")
+        cells = [size]
         for name in ("false progress", "false"):
             by_kind = {
                 kind: (_counted(k, name), _counted(k, "races"))
@@ -290,12 +290,13 @@ def _by_race(rows: Sequence[Row]) -> str:
                 if _counted(k := [row for row in of if row["kind"] == kind], "races") >= LEAST
             }
             worst = max(by_kind, key=lambda kind: by_kind[kind][0] / by_kind[kind][1], default="")
-            count, races = by_kind.get(worst, (0, 0))
-            cells += [_share(_counted(of, name), _counted(of, "races"))]
-            cells += [f"{_share(count, races)} ({worst}, {count} of {races})" if count else "none"]
-        found.append([*cells, _share(_counted(true, "hits"), _counted(true, "races"))])
-    heads = ("runs", "races", "progress, falsely", "worst kind", "anything, falsely",
-             "worst kind", "hits")  # fmt: skip
+            count, most = by_kind.get(worst, (0, 0))
+            cells += [f"{_counted(of, name)} of {races}"]
+            cells += [f"{worst}, {count} of {most}" if count else "none"]
+        true = [row for row in of if row["truth"] == "True"]
+        found.append([*cells, f"{_counted(true, 'hits')} of {_counted(true, 'races')}"])
+    heads = ("runs", "progress, falsely", "worst kind", "anything, falsely", "worst kind ",
+             "arms races found")  # fmt: skip
     return markdown(heads, found)
 
 
@@ -378,7 +379,7 @@ def _by_setting(rows: Sequence[Row]) -> str:
         for condition in CONDITIONS:
             of = {"setting": setting, "value": value, "condition": condition}
             both = (totals(rows, truth=truth, **of) for truth in ("True", "False"))
-            cells.append(" / ".join(_percent(found) for found in both))
+            cells.append(" / ".join(_count(found) for found in both))
         found.append([setting, value, *cells])
     return markdown(("setting", "value", *CONDITIONS), found)
 
@@ -394,9 +395,9 @@ def _is_number(word: str) -> bool:
     return word.replace(".", "", 1).isdigit()
 
 
-def _percent(found: dict[str, int]) -> str:
+def _count(found: dict[str, int]) -> str:
     races = sum(found.values())
-    return f"{100 * found[PRESENT] / races:.0f}" if races else "-"
+    return f"{found[PRESENT]} of {races}" if races else "-"
 
 
 def _coverage(rows: Sequence[Row]) -> str:
