@@ -319,26 +319,25 @@ def _kinds(rows: Sequence[Row]) -> str:
 
 
 def _outlying(rows: Sequence[Row]) -> str:
+    kinds: dict[str, tuple[str, list[Row]]] = {
+        kind: (_sample_of(kind), [row for row in rows if row["kind"] == kind]) for kind in OUTLIERS
+    }
+    races = {row["kind"] for row in rows if row["truth"] == "True"}
+    without = [row for row in rows if row["kind"] in OUTLIERS and row["kind"] not in races]
+    others = [row for row in rows if row["kind"] not in OUTLIERS]
+    kinds |= {"kinds without a trend": ("both", without), "all other kinds": ("both", others)}
     found = []
-    others = "all other kinds"
-    for kind in (*OUTLIERS, others):
-        for size in GROUPS.values():
-            of = [
-                row
-                for row in rows
-                if row["runs"] == size
-                and (row["kind"] == kind if kind in OUTLIERS else row["kind"] not in OUTLIERS)
-            ]
+    for kind, (part, of_kind) in kinds.items():
+        for size in (*GROUPS.values(), "all"):
+            of = [row for row in of_kind if size in (row["runs"], "all")]
             true = _counted([row for row in of if row["truth"] == "True"], "races")
-            if not of:
-                continue
-            cells = [kind, _sample_of(kind), size]
-            for name, races in (("hits", true), ("false progress", _counted(of, "races"))):
-                for ending in ("", WITH_OUTLIERS):
-                    count = _counted(of, f"{name}{ending}")
-                    cells.append(f"{count} of {races}" if races else "-")
-            found.append(cells)
-    heads = ("kind", "sample", "runs", "found", "found with outliers", "falsely",
+            counts = [
+                f"{_counted(of, f'{name}{ending}')} of {most}" if most else "-"
+                for name, most in (("hits", true), ("false progress", _counted(of, "races")))
+                for ending in ("", WITH_OUTLIERS)
+            ]
+            found.append([kind, size, part, *counts])
+    heads = ("kind", "runs", "sample", "found", "found with outliers", "falsely",
              "falsely with outliers")  # fmt: skip
     return markdown(heads, found)
 
