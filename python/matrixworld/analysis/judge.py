@@ -5,6 +5,7 @@ All commands, figures and pages take their verdicts from `judge`.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
@@ -164,16 +165,19 @@ def _shared(
             same = all(one.reason == first.reason for one in of_runs)
             reason = first.reason if same else Reason(Why.EACH_RUN)
             finding = Finding(first.verdict, reason, tuple(shared))
-        estimates = {
-            key: MEASURES[key].estimated(payoffs, window, level) for key in first.estimates
-        }
         learned = learned_in_all([one.learned for one in of_runs])
+        estimates = {}
+        for key in first.estimates:
+            estimate = MEASURES[key].estimated(payoffs, window, level)
+            # A number that not all runs have decided nothing.
+            if finding.verdict == CANNOT_TELL or math.isfinite(estimate.value):
+                estimates[key] = estimate
         found[name] = replace(finding, estimates=estimates, learned=learned)
     return found
 
 
 def _cannot_tell(finding: Finding, reason: Reason) -> Finding:
-    return replace(finding, verdict=CANNOT_TELL, reason=reason, teams=())
+    return replace(finding, verdict=CANNOT_TELL, reason=reason, teams=(), learned={})
 
 
 def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:

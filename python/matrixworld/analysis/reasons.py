@@ -64,7 +64,7 @@ class Why(Enum):
     MARGIN_INSIDE = "the interval contains the margin"
     HIDDEN = "one team wins nearly all matches, which hides this condition"
     FEW_ENGAGED = "fewer than {number} of the runs are engaged, the others hide this condition"
-    EACH_RUN = "each run by itself shows it"
+    EACH_RUN = "each run by itself says so"
     RUNS_DIFFER = "the runs do not all show the same"
 
     # Disengagement:
