@@ -15,6 +15,7 @@ from common import SAME_STEPS, SMALL_RACE
 from judgement_races import (
     HARD,
     KINDS,
+    LIMITS,
     OUTLIERS,
     Draws,
     SyntheticRace,
@@ -197,6 +198,7 @@ class Source(NamedTuple):
 SOURCES = {
     "hard": Source(synthetic_case, tuple(HARD), 3.0),
     "outliers": Source(synthetic_case, tuple(OUTLIERS), 3.0),
+    "limits": Source(synthetic_case, tuple(LIMITS), 3.0),
     "synthetic": Source(synthetic_case, tuple(KINDS), 1.0),
     "power": Source(power_case, (POWER,), 45.0),
     "toy game": Source(toy_case, tuple(RACES), 0.25),

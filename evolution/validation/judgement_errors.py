@@ -5,7 +5,7 @@
 
 Three sources of races, none of which uses the judgement:
 
-- synthetic races (`judgement_races.py`): 56 kinds by formula, each seed with its own nuisance
+- synthetic races (`judgement_races.py`): 57 kinds by formula, each seed with its own nuisance
   parameters, effect size, noise, number of generations and number of runs. Constants of the
   judgement may have been set on kinds marked *development*, with seeds below 1000; all others are
   *held back*;

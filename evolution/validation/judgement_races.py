@@ -1,4 +1,4 @@
-"""Races for measuring the judgement: capture rates without noise, by formula, of 56 kinds.
+"""Races for measuring the judgement: capture rates without noise, by formula, of 57 kinds.
 
 A kind of race is a function of the number of generations n, an effect size (1 is plain to see) and
 nuisance parameters (levels, slopes, phases, differences between the teams), which are drawn from a
@@ -396,12 +396,14 @@ def one_lucky_run(n: int, effect: float, draws: Draws, *, others: str) -> Synthe
     return by_chance(walks, draws.level())
 
 
-def slow_disc(n: int, effect: float, draws: Draws) -> SyntheticRace:
-    """Skill turns on a circle, half a turn to 1.5: a generation beats those up to half behind it.
+def slow_disc(
+    n: int, effect: float, draws: Draws, *, turns: tuple[float, float] = (0.5, 1.5)
+) -> SyntheticRace:
+    """Skill turns on a circle: a generation beats those that are up to half a turn behind it.
 
     In less than half a turn each generation beats all earlier ones, as in a race.
     """
-    angle = 2.0 * np.pi * draws.shared.uniform(0.5, 1.5) * time(n)
+    angle = 2.0 * np.pi * draws.shared.uniform(*turns) * time(n)
     height = 0.45 * min(1.0, effect)
     rates = 0.5 + height * np.sin(angle[:, None] - angle)
     return SyntheticRace(rates, np.zeros(n), np.zeros(n))
@@ -535,7 +537,12 @@ OUTLIERS: Mapping[str, Kind] = {
 }
 """Races, and races without a trend, with generations far from the others."""
 
-ALL_KINDS: Mapping[str, Kind] = {**KINDS, **HARD, **OUTLIERS}
+LIMITS: Mapping[str, Kind] = {
+    "a quarter to half a circle": Kind(partial(slow_disc, turns=(0.25, 0.5)))
+}
+"""Races without progress that no payoff matrix tells from an arms race; they count apart."""
+
+ALL_KINDS: Mapping[str, Kind] = {**KINDS, **HARD, **OUTLIERS, **LIMITS}
 
 
 def synthetic_races(

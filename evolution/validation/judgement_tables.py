@@ -30,7 +30,7 @@ GAINS = (0.02, 0.05, 0.1, 0.2, 0.3, 0.5)
 
 def sample(judgement: dict[str, Any]) -> str:
     """Return the part of the benchmark that a race belongs to."""
-    if judgement["source"] not in ("synthetic", "hard", "outliers"):
+    if judgement["source"] not in ("synthetic", "hard", "outliers", "limits"):
         return str(judgement["source"])
     return _sample_of(judgement["kind"])
 
@@ -212,7 +212,11 @@ def _known(rows: Sequence[Row], *heads: str) -> list[tuple[str, ...]]:
 
 
 def report(
-    races: Sequence[Row], counts: Sequence[Row], settings: Sequence[Row], changes: Sequence[Row]
+    races: Sequence[Row],
+    counts: Sequence[Row],
+    settings: Sequence[Row],
+    changes: Sequence[Row],
+    limits: Sequence[Row],
 ) -> str:
     """Return all tables from the rows of the functions that count."""
     parts = [
@@ -225,6 +229,9 @@ def report(
         "## Outlying generations",
         OUTLYING,
         _outlying(races),
+        "## Limits",
+        LIMIT,
+        _limits(limits),
         "## By sample",
         _by(counts, "condition", "sample"),
         "## By window",
@@ -262,6 +269,7 @@ OUTLYING = (
     "races judged with them: arms races over the whole race that are found, and races with an arms "
     "race or one-sided progress said falsely of any window. Single kinds are those about outliers."
 )
+LIMIT = "Races that no payoff matrix tells from an arms race; they do not count above and below."
 SETTINGS = (
     "Synthetic races, whole race: hits, of races that have the condition / false alarms, of "
     "those that do not."
@@ -340,6 +348,16 @@ def _outlying(rows: Sequence[Row]) -> str:
     heads = ("kind", "runs", "sample", "found", "found with outliers", "falsely",
              "falsely with outliers")  # fmt: skip
     return markdown(heads, found)
+
+
+def _limits(rows: Sequence[Row]) -> str:
+    found = []
+    for (kind,) in _known(rows, "kind"):
+        for size in (*GROUPS.values(), "all"):
+            of = [row for row in rows if row["kind"] == kind and size in (row["runs"], "all")]
+            races = _counted(of, "races")
+            found.append([kind, size, f"{_counted(of, 'false progress')} of {races}"])
+    return markdown(("kind", "runs", "progress, falsely"), found)
 
 
 def _sample_of(kind: str) -> str:
@@ -433,7 +451,7 @@ def read_counts(file: Path) -> list[Row]:
 
 COUNTS = {
     "races": count_races, "counts": count_verdicts, "settings": count_by_setting,
-    "changes": count_changes,
+    "changes": count_changes, "limits": count_races,
 }  # fmt: skip
 """Files of counts, from which the tables follow."""
 
@@ -447,8 +465,9 @@ def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     """Write counts, tables and figure to a directory, and return the tables."""
     gains = count_by_gain(one for one in judgements if one["source"] == "power")
     # Gains of the power curves are small on purpose, and would hide those of the other races.
-    others = [one for one in judgements if one["source"] != "power"]
-    files = {name: count(others) for name, count in COUNTS.items()}
+    others = [one for one in judgements if one["source"] not in ("power", "limits")]
+    limits = [one for one in judgements if one["source"] == "limits"]
+    files = {name: count(limits if name == "limits" else others) for name, count in COUNTS.items()}
     for name, rows in (files | {"power": gains}).items():
         write_counts(rows, results / f"{name}.csv")
     text = report_of(results)

@@ -111,7 +111,7 @@ def test_counts_by_hand():
     by_setting = tables.count_by_setting(both)
     assert tables.totals(by_setting, truth="True")["present"] == 0
     assert tables.totals(by_setting, setting="runs", value="1")["present"] == 1
-    text = tables.report([], counts, by_setting, [])
+    text = tables.report([], counts, by_setting, [], [])
     assert "| cycling | development | 2 | 50.0% | 50.0% | 0.0% | 0 | - | - | - | - |" in text
     assert "| cycling | held back | decline | whole | 1 of 1 | 100.0% | yes |" in text
 
