@@ -15,9 +15,10 @@ from common import SAME_STEPS, SMALL_RACE
 from judgement_races import (
     HARD,
     KINDS,
+    LIMITS,
+    OUTLIERS,
     Draws,
     SyntheticRace,
-    disengagement,
     play_episodes,
     synthetic_races,
 )
@@ -106,9 +107,9 @@ def power_case(kind: str, seed: int) -> Case:
 
     Noises take turns, and the effect size is drawn log-uniformly.
     """
-    make, low, high = POWER[kind]
     rng = np.random.default_rng([seed, 4, zlib.crc32(kind.encode())])
-    race = make(31, float(np.exp(rng.uniform(np.log(low), np.log(high)))), Draws(seed))
+    effect = float(np.exp(rng.uniform(np.log(LEAST_EFFECT), np.log(MOST_EFFECT))))
+    race = KINDS[kind].make(31, effect, Draws(seed))
     return _play([race], POWER_NOISES[seed % len(POWER_NOISES)], PER_EPISODE, rng, {})
 
 
@@ -179,21 +180,9 @@ def _only_no_arms_race() -> Truths:
     return found | {"arms race": Truth(False, 0.0)}
 
 
-def _disengaged(n: int, effect: float, draws: Draws) -> SyntheticRace:
-    """Return a race that one team wins from an onset on, by ``1 - .03 / effect``."""
-    return disengagement(n, 1.0, draws, rate=1.0 - 0.03 / effect)
-
-
-POWER = {
-    "pure race": (KINDS["pure race"].make, 0.01, 2.0),
-    "only pursuers rise": (KINDS["only pursuers rise"].make, 0.03, 1.0),
-    "only evaders rise": (KINDS["only evaders rise"].make, 0.03, 1.0),
-    "cycle": (KINDS["cycle"].make, 0.1, 1.5),
-    "forgetting": (KINDS["forgetting"].make, 0.5, 3.0),
-    "decline": (KINDS["decline"].make, 0.3, 2.0),
-    "disengagement": (_disengaged, 1.0, 30.0),
-}
-"""Kinds of the power curves: how to make them, smallest and largest effect."""
+POWER = "pure race"
+"""The kind of the power curves."""
+LEAST_EFFECT, MOST_EFFECT = 0.01, 2.0  # drawn log-uniformly for power curves
 
 
 class Source(NamedTuple):
@@ -208,8 +197,10 @@ class Source(NamedTuple):
 
 SOURCES = {
     "hard": Source(synthetic_case, tuple(HARD), 3.0),
+    "outliers": Source(synthetic_case, tuple(OUTLIERS), 3.0),
+    "limits": Source(synthetic_case, tuple(LIMITS), 3.0),
     "synthetic": Source(synthetic_case, tuple(KINDS), 1.0),
-    "power": Source(power_case, tuple(POWER), 1.0),
+    "power": Source(power_case, (POWER,), 45.0),
     "toy game": Source(toy_case, tuple(RACES), 0.25),
     "real race": Source(real_case, (FROZEN, SHUFFLED), 0.1),
 }

@@ -1,11 +1,11 @@
 """How often is the judgement of a race wrong? A benchmark of races whose truth is known.
 
-    python evolution/validation/judgement_errors.py --processes 2   the published tables, 20 minutes
+    python evolution/validation/judgement_errors.py --seeds 16   the published tables, 20 minutes
     python evolution/validation/judgement_errors.py --quick         small samples, a minute
 
 Three sources of races, none of which uses the judgement:
 
-- synthetic races (`judgement_races.py`): 46 kinds by formula, each seed with its own nuisance
+- synthetic races (`judgement_races.py`): 57 kinds by formula, each seed with its own nuisance
   parameters, effect size, noise, number of generations and number of runs. Constants of the
   judgement may have been set on kinds marked *development*, with seeds below 1000; all others are
   *held back*;
@@ -14,8 +14,8 @@ Three sources of races, none of which uses the judgement:
   opponents are put in random order.
 
 `judgement_cases.py` plays the races, `judgement_truths.py` says what is true of them, and
-`judgement_tables.py` counts verdicts, writes tables and draws hits by size of the effect, on races
-of their own.
+`judgement_tables.py` counts verdicts, writes tables and draws at which gain half of the arms races
+are found, on races of their own. Progress is judged a second time with outlying generations.
 
 Look at false alarms first (a condition is called present and is not), by kind and window; then at
 hits, and at "cannot tell". Judgements are appended to ``judgements.jsonl`` in ``--results``; an
@@ -30,9 +30,10 @@ import math
 from collections.abc import Iterable, Iterator
 from concurrent.futures import as_completed
 from contextlib import closing
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
+from unittest import mock
 
 import numpy as np
 from tqdm import tqdm
@@ -45,9 +46,10 @@ import judgement_truths
 from common import executor_of, script_parser
 from course import toys
 from judgement_cases import SOURCES
-from judgement_races import KINDS
-from judgement_tables import write_tables
+from judgement_races import ALL_KINDS
+from judgement_tables import PROGRESS, write_tables
 from matrixworld import analysis
+from matrixworld.analysis import strength
 
 FIRST_SEED = 10_000
 """Published seeds start here; seeds below 1000 are for setting constants."""
@@ -63,20 +65,35 @@ class Task(NamedTuple):
 
 
 def judged(task: Task) -> dict[str, Any]:
-    """Play a task, judge it, and return truth and verdicts as plain values."""
+    """Play a task, judge it, and return truth and verdicts as plain values.
+
+    Progress is judged a second time with outlying generations, which a judgement leaves out.
+    """
     case = SOURCES[task.source].case(task.kind, task.seed)
-    judgement = analysis.judge(case.scores, per_episode=case.per_episode, episodes=case.episodes)
-    found, changes = [], []
+    judge = partial(
+        analysis.judge, case.scores, per_episode=case.per_episode, episodes=case.episodes
+    )
+    judgement = judge()
+    with mock.patch.object(strength, "without_outliers", lambda scores, noise: scores):
+        with_outliers = judge()
+    found, found_with_outliers, changes = [], [], []
     for window, truths in case.truths.items():
-        # A race may be too short for a window.
-        findings = judgement.windows.get(window)
+        findings = judgement.windows[window]
         for condition, truth in truths.items():
-            verdict = findings[condition].verdict if findings is not None else "cannot tell"
-            found.append([window, condition, truth.holds, round(truth.size, 4), verdict])
-        if findings is not None:
-            estimates = findings["rise"].estimates
-            changes += list(_changes(window, case.changes.get(window, []), estimates))
-    return task._asdict() | {"setting": case.setting, "found": found, "changes": changes}
+            size = round(truth.size, 4)
+            found.append([window, condition, truth.holds, size, findings[condition].verdict])
+        found_with_outliers += [
+            [window, name, truths[name].holds, with_outliers.windows[window][name].verdict]
+            for name in PROGRESS
+        ]
+        estimates = findings["rise"].estimates
+        changes += list(_changes(window, case.changes.get(window, []), estimates))
+    return task._asdict() | {
+        "setting": case.setting,
+        "found": found,
+        "with_outliers": found_with_outliers,
+        "changes": changes,
+    }
 
 
 def _changes(
@@ -153,7 +170,7 @@ def chosen_tasks(seeds: int, *, development: bool) -> Iterator[Task]:
         # Seeds outside: an interrupted script has judged as many of each kind.
         for seed in range(FIRST_SEED, FIRST_SEED + math.ceil(source.share * seeds)):
             for kind in source.kinds:
-                if not development or (name == "synthetic" and KINDS[kind].development):
+                if not development or (kind in ALL_KINDS and ALL_KINDS[kind].development):
                     yield Task(name, kind, seed)
 
 

@@ -1,4 +1,4 @@
-"""Races for measuring the judgement: capture rates without noise, by formula, of 46 kinds.
+"""Races for measuring the judgement: capture rates without noise, by formula, of 57 kinds.
 
 A kind of race is a function of the number of generations n, an effect size (1 is plain to see) and
 nuisance parameters (levels, slopes, phases, differences between the teams), which are drawn from a
@@ -165,6 +165,41 @@ def late_onset(n: int, effect: float, draws: Draws) -> SyntheticRace:
     course = np.clip((time(n) - 0.6) / 0.4, 0.0, 1.0)
     a, b = draws.sizes(2.0 * effect)
     return additive(a * course, b * course, draws.level())
+
+
+def heavy_tails(
+    n: int, effect: float, draws: Draws, *, trend: float, free: float = 1.5
+) -> SyntheticRace:
+    """Both teams rise evenly by `trend` logits, and each generation has luck with heavy tails.
+
+    The luck is .25 times Student's t with so many degrees of freedom: 1.5 has no variance.
+    """
+    rises = np.array(draws.sizes(trend * effect))[:, None] * time(n)
+    luck = 0.25 * draws.own.standard_t(free, (2, n))
+    return SyntheticRace(additive(*(rises + luck), draws.level()).rates, *rises)
+
+
+def failed_generations(
+    n: int, effect: float, draws: Draws, *, trend: float, length: int = 1, sign: float = -1.0
+) -> SyntheticRace:
+    """Both teams rise evenly by `trend` logits, but 5 to 20 % of the generations fail.
+
+    A failure costs 2 to 4 logits for `length` generations; with a sign of 1 it is luck instead.
+    """
+    rises = np.array(draws.sizes(trend * effect))[:, None] * time(n)
+    begins = draws.own.random((2, n)) < draws.shared.uniform(0.05, 0.2) / length
+    failed = begins.copy()
+    for later in range(1, length):
+        failed[:, later:] |= begins[:, :-later]
+    size = sign * draws.shared.uniform(2.0, 4.0)
+    strengths = rises + np.where(failed, size, 0.0)
+    return SyntheticRace(additive(*strengths, draws.level()).rates, *rises)
+
+
+def heavy_steps(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Strengths are walks whose steps have heavy tails: Student's t with 1.5 degrees of freedom."""
+    walks = 0.6 * effect * np.cumsum(draws.own.standard_t(1.5, (2, n)), axis=1) / np.sqrt(n)
+    return by_chance(np.clip(walks, -8.0, 8.0), draws.level())
 
 
 # ---- Cycles --------------------------------------------------------------------------------------
@@ -361,12 +396,14 @@ def one_lucky_run(n: int, effect: float, draws: Draws, *, others: str) -> Synthe
     return by_chance(walks, draws.level())
 
 
-def slow_disc(n: int, effect: float, draws: Draws) -> SyntheticRace:
-    """Skill turns on a circle, half a turn to 1.5: a generation beats those up to half behind it.
+def slow_disc(
+    n: int, effect: float, draws: Draws, *, turns: tuple[float, float] = (0.5, 1.5)
+) -> SyntheticRace:
+    """Skill turns on a circle: a generation beats those that are up to half a turn behind it.
 
     In less than half a turn each generation beats all earlier ones, as in a race.
     """
-    angle = 2.0 * np.pi * draws.shared.uniform(0.5, 1.5) * time(n)
+    angle = 2.0 * np.pi * draws.shared.uniform(*turns) * time(n)
     height = 0.45 * min(1.0, effect)
     rates = 0.5 + height * np.sin(angle[:, None] - angle)
     return SyntheticRace(rates, np.zeros(n), np.zeros(n))
@@ -486,6 +523,28 @@ HARD: Mapping[str, Kind] = {
 """Kinds without progress that look like it."""
 
 
+OUTLIERS: Mapping[str, Kind] = {
+    "heavy tails": Kind(partial(heavy_tails, trend=4.0), development=True),
+    "heavier tails": Kind(partial(heavy_tails, trend=4.0, free=1.0)),
+    "failed generations": Kind(partial(failed_generations, trend=4.0), development=True),
+    "failures in a row": Kind(partial(failed_generations, trend=4.0, length=2)),
+    "heavy tails, no trend": Kind(partial(heavy_tails, trend=0.0), development=True),
+    "failed generations, no trend": Kind(partial(failed_generations, trend=0.0), development=True),
+    "failures in a row, no trend": Kind(partial(failed_generations, trend=0.0, length=2)),
+    "heavy steps": Kind(heavy_steps, development=True),
+    "lucky generations": Kind(partial(failed_generations, trend=4.0, sign=1.0)),
+    "lucky generations, no trend": Kind(partial(failed_generations, trend=0.0, sign=1.0)),
+}
+"""Races, and races without a trend, with generations far from the others."""
+
+LIMITS: Mapping[str, Kind] = {
+    "a quarter to half a circle": Kind(partial(slow_disc, turns=(0.25, 0.5)))
+}
+"""Races without progress that no payoff matrix tells from an arms race; they count apart."""
+
+ALL_KINDS: Mapping[str, Kind] = {**KINDS, **HARD, **OUTLIERS, **LIMITS}
+
+
 def synthetic_races(
     kind: str, n: int, seed: int, *, effect: float = 1.0, runs: int = 1
 ) -> list[SyntheticRace]:
@@ -493,7 +552,7 @@ def synthetic_races(
 
     The effect is the size of what the kind is about (a rise, an amplitude, a loss).
     """
-    return [{**KINDS, **HARD}[kind].make(n, effect, Draws(seed, run)) for run in range(runs)]
+    return [ALL_KINDS[kind].make(n, effect, Draws(seed, run)) for run in range(runs)]
 
 
 # ---- Matches -------------------------------------------------------------------------------------

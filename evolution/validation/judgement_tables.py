@@ -13,7 +13,7 @@ import numpy as np
 from scipy.stats import beta
 
 from common import markdown
-from judgement_races import HARD, KINDS
+from judgement_races import ALL_KINDS, OUTLIERS
 from judgement_truths import WINDOWS
 from matrixworld.analysis import CONDITIONS
 
@@ -21,21 +21,8 @@ Row = dict[str, str]
 VERDICTS = PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
 DEVELOPMENT, HELD_BACK = "development", "held back"
 
-SIZES = {
-    "arms race": ("smaller gain of capture rate", (0.02, 0.05, 0.1, 0.2, 0.3, 0.5)),
-    "one-sided progress": ("gain of capture rate", (0.02, 0.05, 0.1, 0.2, 0.4, 0.6)),
-    "stagnation": (
-        "larger change of capture rate (0: true)",
-        (0.0, 0.005, 0.02, 0.05, 0.1, 0.2, 0.4),
-    ),
-    "rise": ("change of capture rate", (0.07, 0.1, 0.15, 0.2, 0.3, 0.5)),
-    "intransitivity": ("share of checkerboards", (0.02, 0.04, 0.08, 0.14, 0.2, 0.3)),
-    "cycling": ("similarity to the own past", (0.3, 0.4, 0.5, 0.6, 0.8, 1.0)),
-    "forgetting": ("drop of capture rate", (0.1, 0.15, 0.2, 0.3, 0.4, 0.6)),
-    "disengagement": ("payoff of the winning team", (0.97, 0.98, 0.985, 0.99, 0.995, 1.0)),
-}
-"""Size of an effect in words, and edges of the bins of the figure, in the units of
-`judgement_truths.truths`. The last bin has no upper end."""
+GAINS = (0.02, 0.05, 0.1, 0.2, 0.3, 0.5)
+"""Edges of the bins of the figure: the smaller gain of both teams. The last has no upper end."""
 
 
 # ---- Counts --------------------------------------------------------------------------------------
@@ -43,9 +30,9 @@ SIZES = {
 
 def sample(judgement: dict[str, Any]) -> str:
     """Return the part of the benchmark that a race belongs to."""
-    if judgement["source"] not in ("synthetic", "hard"):
+    if judgement["source"] not in ("synthetic", "hard", "outliers", "limits"):
         return str(judgement["source"])
-    return DEVELOPMENT if {**KINDS, **HARD}[judgement["kind"]].development else HELD_BACK
+    return _sample_of(judgement["kind"])
 
 
 def count_verdicts(judgements: Iterable[dict[str, Any]]) -> list[Row]:
@@ -65,26 +52,37 @@ def count_races(judgements: Iterable[dict[str, Any]]) -> list[Row]:
     """Return how many races are said to make progress, by kind, size of the group and truth.
 
     A race counts once. Said falsely: an arms race or one-sided progress in any window that has
-    none; falsely in any way: any condition that is not there.
+    none; falsely in any way: any condition that is not there. "With outliers": of judgements that
+    do not leave out outlying generations.
     """
     counts: Counter[tuple[str, ...]] = Counter()
     for one in judgements:
         runs = int(one["setting"].get("runs", 1))
         size = next(name for most, name in GROUPS.items() if runs <= most)
-        found = [(window, name, holds, v == PRESENT) for window, name, holds, _, v in one["found"]]
-        alarms = {name for _, name, holds, present in found if present and holds is False}
-        [(holds, hit)] = [(h, p) for w, name, h, p in found if (w, name) == ("whole", "arms race")]
+        found = [(window, name, holds, verdict) for window, name, holds, _, verdict in one["found"]]
+        [holds] = [h for w, name, h, _ in found if (w, name) == ("whole", "arms race")]
         key = (one["kind"], size, str(holds))
         counts[(*key, "races")] += 1
-        counts[(*key, "hits")] += hit and bool(holds)
-        counts[(*key, "false progress")] += bool(alarms & {*PROGRESS})
-        counts[(*key, "false")] += bool(alarms)
-    numbers = ("races", "hits", "false progress", "false")
+        counts[(*key, "false")] += bool(_alarms(found))
+        for ending, each in (("", found), (WITH_OUTLIERS, one["with_outliers"])):
+            counts[(*key, f"hits{ending}")] += bool(holds) and (
+                ("whole", "arms race", True, PRESENT) in map(tuple, each)
+            )
+            counts[(*key, f"false progress{ending}")] += bool(_alarms(each) & {*PROGRESS})
+    numbers = (
+        "races", "hits", "false progress", "false", f"hits{WITH_OUTLIERS}",
+        f"false progress{WITH_OUTLIERS}",
+    )  # fmt: skip
     return [
         dict(zip(("kind", "runs", "truth"), key, strict=True))
         | {name: str(counts[(*key, name)]) for name in numbers}
         for key in sorted({key[:3] for key in counts})
     ]
+
+
+def _alarms(found: Iterable[Sequence[Any]]) -> set[str]:
+    """Return the conditions that are present in any window, and not there."""
+    return {name for _, name, holds, verdict in found if verdict == PRESENT and holds is False}
 
 
 def count_by_setting(judgements: Iterable[dict[str, Any]]) -> list[Row]:
@@ -101,23 +99,17 @@ def count_by_setting(judgements: Iterable[dict[str, Any]]) -> list[Row]:
     )
 
 
-def count_by_size(judgements: Iterable[dict[str, Any]]) -> list[Row]:
-    """Return verdicts on the races for power curves, last half, by noise and size of effect.
-
-    Races that have the condition; for stagnation, all that are engaged and have no cycle.
-    """
+def count_by_gain(judgements: Iterable[dict[str, Any]]) -> list[Row]:
+    """Return verdicts "arms race" on the last half of such races, by noise and true gain."""
     counted = []
     for one in judgements:
-        found = {c: (t, size, v) for w, c, t, size, v in one["found"] if w == "last half"}
-        still_possible = found["intransitivity"][0] is found["disengagement"][0] is False
-        for condition, (holds, size, verdict) in found.items():
-            if holds or (condition == "stagnation" and still_possible):
-                edges = SIZES[condition][1]
-                # Effects beyond the last edge belong to the last bin.
-                place = min(int(np.searchsorted(edges, size, "right")), len(edges) - 1)
-                ends = (f"{edges[place - 1]:g}", f"{edges[place]:g}")
-                counted.append(((condition, one["setting"]["noise"], *ends), verdict))
-    return _wide(("condition", "noise", "from", "to"), counted)
+        for window, condition, holds, gain, verdict in one["found"]:
+            if holds and (window, condition) == ("last half", "arms race"):
+                # Gains beyond the last edge belong to the last bin.
+                place = min(int(np.searchsorted(GAINS, gain, "right")), len(GAINS) - 1)
+                ends = (f"{GAINS[place - 1]:g}", f"{GAINS[place]:g}")
+                counted.append(((one["setting"]["noise"], *ends), verdict))
+    return _wide(("noise", "from", "to"), counted)
 
 
 def count_changes(judgements: Iterable[dict[str, Any]]) -> list[Row]:
@@ -154,6 +146,7 @@ def totals(rows: Iterable[Row], **wanted: str) -> dict[str, int]:
 
 
 PROGRESS = ("arms race", "one-sided progress")
+WITH_OUTLIERS = ", with outliers"
 GROUPS = {1: "1", 3: "2 or 3", 10: "4 to 10"}
 """Sizes of groups by their most runs."""
 LEAST = 8
@@ -212,15 +205,18 @@ def _known(rows: Sequence[Row], *heads: str) -> list[tuple[str, ...]]:
     """Return the combinations of values that occur, in the order of the conditions."""
     # A kind may be named like a condition, which comes first.
     order = {
-        name: place
-        for place, name in enumerate(dict.fromkeys((*CONDITIONS, *WINDOWS, *KINDS, *HARD)))
+        name: place for place, name in enumerate(dict.fromkeys((*CONDITIONS, *WINDOWS, *ALL_KINDS)))
     }
     keys = {tuple(row[head] for head in heads) for row in rows}
     return sorted(keys, key=lambda key: [(order.get(part, 99), part) for part in key])
 
 
 def report(
-    races: Sequence[Row], counts: Sequence[Row], settings: Sequence[Row], changes: Sequence[Row]
+    races: Sequence[Row],
+    counts: Sequence[Row],
+    settings: Sequence[Row],
+    changes: Sequence[Row],
+    limits: Sequence[Row],
 ) -> str:
     """Return all tables from the rows of the functions that count."""
     parts = [
@@ -230,6 +226,12 @@ def report(
         _by_race(races),
         "### Kinds",
         _kinds(races),
+        "## Outlying generations",
+        OUTLYING,
+        _outlying(races),
+        "## Limits",
+        LIMIT,
+        _limits(limits),
         "## By sample",
         _by(counts, "condition", "sample"),
         "## By window",
@@ -260,11 +262,17 @@ INTRODUCTION = (
 BY_RACE = (
     "Each race or group counts once. *Progress*: an arms race or one-sided progress is said of a "
     "window that has none. *Anything*: any condition that is not there. The worst kind stands "
-    "beside the mean over races. Hits: arms races over the whole race that are found."
+    "beside the count over races. Found: arms races over the whole race."
 )
+OUTLYING = (
+    "A judgement of progress leaves out generations that are far from their neighbours. The same "
+    "races judged with them: arms races over the whole race that are found, and races with an arms "
+    "race or one-sided progress said falsely of any window. Single kinds are those about outliers."
+)
+LIMIT = "Races that no payoff matrix tells from an arms race; they do not count above and below."
 SETTINGS = (
-    "Synthetic races, whole race: hits (of races that have the condition) / false alarms (of "
-    "those that do not), in %."
+    "Synthetic races, whole race: hits, of races that have the condition / false alarms, of "
+    "those that do not."
 )
 COVERAGE = (
     "Share of the 95 % intervals of a team's change that contain the true change of its strength; "
@@ -281,8 +289,8 @@ def _by_race(rows: Sequence[Row]) -> str:
     found = []
     for size in GROUPS.values():
         of = [row for row in rows if row["runs"] == size]
-        true = [row for row in of if row["truth"] == "True"]
-        cells = [size, str(_counted(of, "races"))]
+        races = _counted(of, "races")
+        cells = [size]
         for name in ("false progress", "false"):
             by_kind = {
                 kind: (_counted(k, name), _counted(k, "races"))
@@ -290,12 +298,13 @@ def _by_race(rows: Sequence[Row]) -> str:
                 if _counted(k := [row for row in of if row["kind"] == kind], "races") >= LEAST
             }
             worst = max(by_kind, key=lambda kind: by_kind[kind][0] / by_kind[kind][1], default="")
-            count, races = by_kind.get(worst, (0, 0))
-            cells += [_share(_counted(of, name), _counted(of, "races"))]
-            cells += [f"{_share(count, races)} ({worst}, {count} of {races})" if count else "none"]
-        found.append([*cells, _share(_counted(true, "hits"), _counted(true, "races"))])
-    heads = ("runs", "races", "progress, falsely", "worst kind", "anything, falsely",
-             "worst kind", "hits")  # fmt: skip
+            count, most = by_kind.get(worst, (0, 0))
+            cells += [f"{_counted(of, name)} of {races}"]
+            cells += [f"{worst}, {count} of {most}" if count else "none"]
+        true = [row for row in of if row["truth"] == "True"]
+        found.append([*cells, f"{_counted(true, 'hits')} of {_counted(true, 'races')}"])
+    heads = ("runs", "progress, falsely", "worst kind", "anything, falsely", "worst kind ",
+             "arms races found")  # fmt: skip
     return markdown(heads, found)
 
 
@@ -315,6 +324,46 @@ def _kinds(rows: Sequence[Row]) -> str:
                 ])  # fmt: skip
     heads = ("kind", "runs", "races", "progress, falsely", "at most", "anything, falsely", "hits")
     return markdown(heads, found)
+
+
+def _outlying(rows: Sequence[Row]) -> str:
+    kinds: dict[str, tuple[str, list[Row]]] = {
+        kind: (_sample_of(kind), [row for row in rows if row["kind"] == kind]) for kind in OUTLIERS
+    }
+    races = {row["kind"] for row in rows if row["truth"] == "True"}
+    without = [row for row in rows if row["kind"] in OUTLIERS and row["kind"] not in races]
+    others = [row for row in rows if row["kind"] not in OUTLIERS]
+    kinds |= {"kinds without a trend": ("both", without), "all other kinds": ("both", others)}
+    found = []
+    for kind, (part, of_kind) in kinds.items():
+        for size in (*GROUPS.values(), "all"):
+            of = [row for row in of_kind if size in (row["runs"], "all")]
+            true = _counted([row for row in of if row["truth"] == "True"], "races")
+            counts = [
+                f"{_counted(of, f'{name}{ending}')} of {most}" if most else "-"
+                for name, most in (("hits", true), ("false progress", _counted(of, "races")))
+                for ending in ("", WITH_OUTLIERS)
+            ]
+            found.append([kind, size, part, *counts])
+    heads = ("kind", "runs", "sample", "found", "found with outliers", "falsely",
+             "falsely with outliers")  # fmt: skip
+    return markdown(heads, found)
+
+
+def _limits(rows: Sequence[Row]) -> str:
+    found = []
+    for (kind,) in _known(rows, "kind"):
+        for size in (*GROUPS.values(), "all"):
+            of = [row for row in rows if row["kind"] == kind and size in (row["runs"], "all")]
+            races = _counted(of, "races")
+            found.append([kind, size, f"{_counted(of, 'false progress')} of {races}"])
+    return markdown(("kind", "runs", "progress, falsely"), found)
+
+
+def _sample_of(kind: str) -> str:
+    if kind not in ALL_KINDS:
+        return "both"
+    return DEVELOPMENT if ALL_KINDS[kind].development else HELD_BACK
 
 
 def _by(rows: Sequence[Row], *heads: str) -> str:
@@ -347,7 +396,7 @@ def _by_setting(rows: Sequence[Row]) -> str:
         for condition in CONDITIONS:
             of = {"setting": setting, "value": value, "condition": condition}
             both = (totals(rows, truth=truth, **of) for truth in ("True", "False"))
-            cells.append(" / ".join(_percent(found) for found in both))
+            cells.append(" / ".join(_count(found) for found in both))
         found.append([setting, value, *cells])
     return markdown(("setting", "value", *CONDITIONS), found)
 
@@ -363,9 +412,9 @@ def _is_number(word: str) -> bool:
     return word.replace(".", "", 1).isdigit()
 
 
-def _percent(found: dict[str, int]) -> str:
+def _count(found: dict[str, int]) -> str:
     races = sum(found.values())
-    return f"{100 * found[PRESENT] / races:.0f}" if races else "-"
+    return f"{found[PRESENT]} of {races}" if races else "-"
 
 
 def _coverage(rows: Sequence[Row]) -> str:
@@ -402,7 +451,7 @@ def read_counts(file: Path) -> list[Row]:
 
 COUNTS = {
     "races": count_races, "counts": count_verdicts, "settings": count_by_setting,
-    "changes": count_changes,
+    "changes": count_changes, "limits": count_races,
 }  # fmt: skip
 """Files of counts, from which the tables follow."""
 
@@ -414,15 +463,16 @@ def report_of(results: Path) -> str:
 
 def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     """Write counts, tables and figure to a directory, and return the tables."""
-    sizes = count_by_size(one for one in judgements if one["source"] == "power")
-    # Effects of the power curves are small on purpose, and would hide those of the other races.
-    others = [one for one in judgements if one["source"] != "power"]
-    files = {name: count(others) for name, count in COUNTS.items()}
-    for name, rows in (files | {"power": sizes}).items():
+    gains = count_by_gain(one for one in judgements if one["source"] == "power")
+    # Gains of the power curves are small on purpose, and would hide those of the other races.
+    others = [one for one in judgements if one["source"] not in ("power", "limits")]
+    limits = [one for one in judgements if one["source"] == "limits"]
+    files = {name: count(limits if name == "limits" else others) for name, count in COUNTS.items()}
+    for name, rows in (files | {"power": gains}).items():
         write_counts(rows, results / f"{name}.csv")
     text = report_of(results)
     (results / "errors.md").write_text(text, encoding="utf-8")
-    draw_power(sizes, results / "power.png")
+    draw_power(gains, results / "power.png")
     return text
 
 
@@ -431,8 +481,7 @@ def draw_power(rows: Sequence[Row], file: Path, least: int = 5) -> None:
 
     A bin of gains needs `least` races; a number of episodes without bins has no bar.
     """
-    races = [row for row in rows if row["condition"] == "arms race"]
-    points = {noise: _points(races, noise, least) for noise in {row["noise"] for row in races}}
+    points = {noise: _points(rows, noise, least) for noise in {row["noise"] for row in rows}}
     found = {noise: _half_found(each) for noise, each in points.items() if each}
     noises = sorted(found, key=found.__getitem__, reverse=True)
     figure, axis = plt.subplots(figsize=(7, 2.8), constrained_layout=True)

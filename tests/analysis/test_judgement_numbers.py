@@ -151,3 +151,48 @@ def test_means_over_runs_rest_on_values_that_err_to_a_known_side():
     assert over_runs([*singles, *singles[1:2] * 2], 0.95).ends == pytest.approx(
         (0.1 - reach, 0.3 + reach)
     )
+
+
+def outlying(course, noise=0.0):
+    """Return the generations that a judgement of progress leaves out."""
+    scores = np.repeat(np.asarray(course, float)[:, None], 3, axis=1)
+    left = strength.without_outliers(scores, np.full(len(scores), noise))
+    changed = np.flatnonzero(np.abs(left - scores).max(axis=1) > 1e-12)
+    places = np.arange(len(scores))
+    kept = np.setdiff1d(places, changed)
+    np.testing.assert_allclose(left[:, 0], np.interp(places, kept, scores[kept, 0]))
+    return changed.tolist()
+
+
+def test_generations_that_fail_are_left_out_and_jumps_are_not():
+    climb = np.linspace(0.2, 0.8, 24)
+    failed = climb.copy()
+    failed[[3, 10, 11, 23]] -= 0.4
+    assert outlying(failed) == [3, 10, 11, 23]
+    assert outlying(1.0 - failed) == [3, 10, 11, 23]
+    assert outlying(failed, noise=0.15**2) == []  # as much may be noise
+    for usual in (
+        climb,
+        np.where(np.arange(24) < 12, 0.2, 0.8),  # a jump
+        np.minimum(climb, 0.4),
+        np.r_[0.0, np.full(23, 0.7)],  # only the untrained generation is weak
+        np.resize([0.2, 0.8], 24),  # each second one: this is no failure
+        np.random.default_rng(0).normal(0.5, 0.05, 24).cumsum() / 24,
+        failed[:5],
+    ):
+        assert outlying(usual) == []
+
+
+def test_a_trend_is_found_although_generations_fail():
+    rng = np.random.default_rng(1)
+    found = {True: 0, False: 0}
+    for _ in range(20):
+        climb = np.linspace(0.3, 0.7, 31) + rng.normal(0.0, 0.02, 31)
+        climb[1 + rng.choice(30, 5, replace=False)] -= 0.3
+        scores = np.repeat(climb[:, None], 3, axis=1)
+        noise = np.full(31, 1e-4)
+        for left_out in found:
+            course = strength.without_outliers(scores, noise) if left_out else scores
+            gain = strength.gain_of_runs(course.mean(axis=1)[None], noise[None])
+            found[left_out] += gain.low > 0.0
+    assert found[True] >= 15 >= 5 + found[False]

@@ -91,6 +91,9 @@ def judgement(kind, found, **setting):
         "source": "synthetic", "kind": kind, "seed": 0, "changes": [],
         "setting": {"noise": "win or loss, 10", "runs": "1", "episodes known": "unknown"} | setting,
         "found": found,
+        "with_outliers": [
+            [w, name, holds, v] for w, name, holds, _, v in found if name in tables.PROGRESS
+        ],
     }  # fmt: skip
 
 
@@ -108,7 +111,7 @@ def test_counts_by_hand():
     by_setting = tables.count_by_setting(both)
     assert tables.totals(by_setting, truth="True")["present"] == 0
     assert tables.totals(by_setting, setting="runs", value="1")["present"] == 1
-    text = tables.report([], counts, by_setting, [])
+    text = tables.report([], counts, by_setting, [], [])
     assert "| cycling | development | 2 | 50.0% | 50.0% | 0.0% | 0 | - | - | - | - |" in text
     assert "| cycling | held back | decline | whole | 1 of 1 | 100.0% | yes |" in text
 
@@ -121,4 +124,7 @@ def test_a_race_counts_once():
     wrong = [["whole", "arms race", False, 0, "absent"], ["whole", "cycling", False, 0, "present"]]
     rows = tables.count_races([judgement("pure race", race), judgement("drift", wrong, runs="3")])
     counted = {(r["kind"], r["runs"]): [*map(int, list(r.values())[3:])] for r in rows}
-    assert counted == {("drift", "2 or 3"): [1, 0, 0, 1], ("pure race", "1"): [1, 1, 1, 1]}
+    assert counted == {
+        ("drift", "2 or 3"): [1, 0, 0, 1, 0, 0],
+        ("pure race", "1"): [1, 1, 1, 1, 1, 1],
+    }

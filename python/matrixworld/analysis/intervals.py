@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -78,6 +78,14 @@ class Estimate(Readable):
         if self.low is None or self.high is None:
             raise ValueError(f"expected an estimate with an interval, got {self}: {self.note}")
         return self.low, self.high
+
+    def clipped(self, bounds: Bounds) -> Estimate:
+        """Return the estimate with value and ends inside bounds, if it has an interval."""
+        if self.low is None or self.high is None:
+            return self
+        least, most = bounds
+        value, low, high = (min(max(number, least), most) for number in (self.value, *self.ends))
+        return replace(self, value=value, low=low, high=high)
 
     @property
     def sign(self) -> int:

@@ -5,7 +5,8 @@ All commands, figures and pages take their verdicts from `judge`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -13,7 +14,6 @@ from matrixworld.analysis.intervals import LEVEL, RUNS_FOR_T, Estimate, check_le
 from matrixworld.analysis.judgement import (
     ABSENT,
     CANNOT_TELL,
-    HALVES,
     ORDER,
     PRESENT,
     WHOLE,
@@ -22,7 +22,13 @@ from matrixworld.analysis.judgement import (
     Findings,
     Judgement,
 )
-from matrixworld.analysis.measures import MEASURES, ends_of_extras, leads_of
+from matrixworld.analysis.measures import (
+    MEASURES,
+    ends_of_extras,
+    leads_of,
+    learned_in_all,
+    learned_to_beat,
+)
 from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
 from matrixworld.analysis.progress import PURSUERS_WIN
 from matrixworld.analysis.reasons import Reason, Why
@@ -77,27 +83,23 @@ def judge(
     A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
     about this run: its episodes, and for gains the fluctuation between its generations. Of 2 or 3
     runs each has to show what is present. More have Student's t interval over runs; a gain must
-    also be a trend of the mean course, and remain without one jump of each run. "Rise" says that a
-    team became stronger in what was played; "arms race" and "one-sided progress" say that no random
-    walk explains it. Runs that are disengaged are left out of the other conditions.
+    also be one of the mean course, and remain without one jump of each run. "Rise" says that a
+    team ended stronger in what was played; "arms race" and "one-sided progress" say that it
+    improved: no random walk explains it. Runs that are disengaged are left out of the other
+    conditions, if four others remain.
     In a game with the scores of both teams, and of one population, other conditions are judged, and
     `Judgement.refused` says why the rest have no meaning. docs/analysis.md defines the conditions;
     evolution/results/judgement has how often verdicts are wrong.
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     check_level(level)
-    whole = _judge_window(payoffs, payoffs.windows[WHOLE], level)
-    windows = {WHOLE: whole}
-    for half in HALVES:
-        findings = _judge_window(payoffs, payoffs.windows[half], level)
-        windows[half] = _as_sure(findings, whole)
     is_long = payoffs.windows[WHOLE].generations >= GENERATIONS_TO_JUDGE
     return Judgement(
         len(payoffs),
         payoffs.shape,
         payoffs.episodes,
         level,
-        windows,
+        _judge_windows(payoffs, level),
         payoffs.teams,
         payoffs.exact,
         refused_of(payoffs),
@@ -106,27 +108,76 @@ def judge(
     )
 
 
-def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
-    by_run = [_findings(run, window, level) for run in payoffs.runs]
-    findings = _findings(payoffs, window, level) if len(payoffs) > 1 else by_run[0]
-    # Disengagement is judged over all runs, the other conditions over the engaged ones.
-    engaged = [run for run, single in enumerate(by_run) if not _is_one_sided(single)]
-    if not _is_one_sided(findings) and len(engaged) < len(by_run):
-        if len(engaged) >= RUNS_FOR_T:
-            others = _findings(payoffs.select(engaged), window, level)
-        else:
-            reason = Reason(Why.FEW_ENGAGED, RUNS_FOR_T)
-            others = {name: _cannot_tell(finding, reason) for name, finding in findings.items()}
-        findings = {**others, "disengagement": findings["disengagement"]}
+def _judge_windows(payoffs: Payoffs, level: float) -> dict[str, Findings]:
+    """Return the findings on a single run, what each of a few shows, or those over many runs."""
+    windows = payoffs.windows
+    if len(payoffs) == 1:
+        found = {name: _findings(payoffs, window, level) for name, window in windows.items()}
+        return {name: _complete(each, [each]) for name, each in _agreeing(found).items()}
+    singles = [_judge_windows(run, level) for run in payoffs.runs]
+    by_run = {name: [single[name] for single in singles] for name in windows}
+    together = _over_runs if len(payoffs) >= RUNS_FOR_T else _shared
+    found = {
+        name: together(payoffs, window, level, by_run[name]) for name, window in windows.items()
+    }
+    # What each of a few runs shows agrees with its whole race already.
+    agreed = _agreeing(found) if len(payoffs) >= RUNS_FOR_T else found
+    return {name: _complete(each, by_run[name]) for name, each in agreed.items()}
+
+
+def _complete(findings: Findings, singles: Sequence[Findings]) -> Findings:
+    """Return findings in the order of tables, with the verdict on each single run."""
     return {
-        name: replace(findings[name], by_run=tuple(single[name].verdict for single in by_run))
+        name: replace(findings[name], by_run=tuple(single[name].verdict for single in singles))
         for name in ORDER
         if name in findings
     }
 
 
+def _over_runs(
+    payoffs: Payoffs, window: Window, level: float, singles: Sequence[Findings]
+) -> Findings:
+    """Return the findings on the mean of runs: disengagement of all, the rest of engaged ones."""
+    findings = _findings(payoffs, window, level)
+    engaged = [run for run, single in enumerate(singles) if not _is_one_sided(single)]
+    if _is_one_sided(findings) or len(engaged) == len(payoffs):
+        return findings
+    if len(engaged) >= RUNS_FOR_T:
+        others = _findings(payoffs.select(engaged), window, level)
+    else:
+        reason = Reason(Why.FEW_ENGAGED, RUNS_FOR_T)
+        others = {name: _cannot_tell(finding, reason) for name, finding in findings.items()}
+    return {**others, "disengagement": findings["disengagement"]}
+
+
+def _shared(
+    payoffs: Payoffs, window: Window, level: float, singles: Sequence[Findings]
+) -> Findings:
+    """Return what each of a few runs shows: a verdict, and the teams, that all of them share."""
+    found = {}
+    for name, first in singles[0].items():
+        of_runs = [single[name] for single in singles]
+        shared = [team for team in first.teams if all(team in one.teams for one in of_runs)]
+        alike = len({(one.verdict, bool(one.teams)) for one in of_runs}) == 1
+        if not alike or bool(shared) != bool(first.teams):
+            finding = Finding(CANNOT_TELL, Reason(Why.RUNS_DIFFER))
+        else:
+            same = all(one.reason == first.reason for one in of_runs)
+            reason = first.reason if same else Reason(Why.EACH_RUN)
+            finding = Finding(first.verdict, reason, tuple(shared))
+        learned = learned_in_all([one.learned for one in of_runs])
+        estimates = {}
+        for key in first.estimates:
+            estimate = MEASURES[key].estimated(payoffs, window, level)
+            # A number that not all runs have decided nothing.
+            if finding.verdict == CANNOT_TELL or math.isfinite(estimate.value):
+                estimates[key] = estimate
+        found[name] = replace(finding, estimates=estimates, learned=learned)
+    return found
+
+
 def _cannot_tell(finding: Finding, reason: Reason) -> Finding:
-    return replace(finding, verdict=CANNOT_TELL, reason=reason, teams=())
+    return replace(finding, verdict=CANNOT_TELL, reason=reason, teams=(), learned={})
 
 
 def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:
@@ -141,13 +192,15 @@ def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:
             findings[name] = Finding(CANNOT_TELL, Reason(missing))
             continue
         estimates = {
-            key: MEASURES[key].estimate(payoffs, window, level) for key in condition.measures
+            key: MEASURES[key].estimated(payoffs, window, level) for key in condition.measures
         }
         if name != "disengagement" and _is_one_sided(findings):
             finding = Finding(CANNOT_TELL, Reason(Why.HIDDEN))
         else:
             finding = condition.rule(estimates, findings)
-        findings[name] = replace(finding, estimates=estimates)
+        if name == "stagnation" and finding.verdict == PRESENT:
+            finding = replace(finding, learned=learned_to_beat(payoffs, window, level))
+        findings[name] = replace(finding, estimates=finding.estimates or estimates)
     return findings
 
 
@@ -156,6 +209,14 @@ def _is_one_sided(findings: Findings) -> bool:
     finding = findings.get("disengagement")  # none in some games
     rate = finding.estimates.get("one_sidedness") if finding else None
     return rate is not None and rate.value > PURSUERS_WIN
+
+
+def _agreeing(windows: Mapping[str, Findings]) -> dict[str, Findings]:
+    """Return findings whose halves show no progress that the whole race speaks against."""
+    whole = windows[WHOLE]
+    return {
+        name: found if name == WHOLE else _as_sure(found, whole) for name, found in windows.items()
+    }
 
 
 def _as_sure(half: Findings, whole: Findings) -> Findings:
@@ -224,43 +285,52 @@ def _disengagement(estimates: Estimates, earlier: Findings) -> Finding:
 
 
 def _arms_race(estimates: Estimates, earlier: Findings) -> Finding:
-    gains = [estimates[key].ends for key in GAINS.values()]
-    if all(low > 0.0 for low, _ in gains):
+    improved, still, unknown = _by_gain(estimates)
+    if len(improved) == len(GAINS):
         if _may_be_a_circle(estimates, earlier):
             return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
-        return Finding(PRESENT, Reason(Why.BOTH_RISE), tuple(GAINS))
-    if any(_does_not_gain(gain) for gain in gains):
-        return Finding(ABSENT, Reason(Why.ONE_WITHOUT_TREND, LEAST_GAIN))
-    return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK))
+        return Finding(PRESENT, Reason(Why.BOTH_IMPROVED), improved)
+    if still:
+        return Finding(ABSENT, Reason(Why.NOT_IMPROVED, LEAST_GAIN, still))
+    return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK, teams=unknown))
 
 
 def _one_sided_progress(estimates: Estimates, earlier: Findings) -> Finding:
-    gains = {team: estimates[key] for team, key in GAINS.items()}
+    improved, still, unknown = _by_gain(estimates)
     if earlier["arms race"].verdict == PRESENT:
-        return Finding(ABSENT, Reason(Why.BOTH_WITH_TREND))
-    if all(_does_not_gain(gain.ends) for gain in gains.values()):
-        return Finding(ABSENT, Reason(Why.NONE_WITH_TREND))
-    pursuers, evaders = gains
-    for team, other in ((pursuers, evaders), (evaders, pursuers)):
-        stands_still = _does_not_gain(gains[other].ends) and gains[other].value > -LEAST_GAIN
-        if gains[team].ends[0] > 0.0 and stands_still:
-            if _may_be_a_circle(estimates, earlier):
-                return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
-            return Finding(PRESENT, Reason(Why.ONE_RISES), (team,))
-    return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK))
+        return Finding(ABSENT, Reason(Why.BOTH_DID))
+    if len(still) == len(GAINS):
+        return Finding(ABSENT, Reason(Why.NOT_IMPROVED, LEAST_GAIN, still))
+    if unknown:
+        return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK, teams=unknown))
+    if _may_be_a_circle(estimates, earlier):
+        return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
+    [other] = still
+    if estimates[GAINS[other]].value <= -LEAST_GAIN:
+        return Finding(CANNOT_TELL, Reason(Why.MAY_FALL, LEAST_GAIN, still))
+    return Finding(PRESENT, Reason(Why.ONE_IMPROVED), improved)
 
 
 def _progress(estimates: Estimates, earlier: Findings) -> Finding:
     """Return which teams rise by more than a random walk would, each by its own scores."""
-    teams = _above(estimates, GAINS, 0.0)
-    if teams and _may_be_a_circle(estimates, earlier):
+    improved, still, unknown = _by_gain(estimates)
+    if improved and _may_be_a_circle(estimates, earlier):
         return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
-    if teams:
-        return Finding(PRESENT, Reason(Why.RISES, teams=teams), teams)
-    gains = (estimates[key].ends for key in _asked(estimates, GAINS).values())
-    if all(_does_not_gain(gain) for gain in gains):
-        return Finding(ABSENT, Reason(Why.NONE_WITH_TREND))
-    return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK))
+    if improved:
+        return Finding(PRESENT, Reason(Why.IMPROVED), improved)
+    if not unknown:
+        return Finding(ABSENT, Reason(Why.NOT_IMPROVED, LEAST_GAIN, still))
+    return Finding(CANNOT_TELL, Reason(Why.RANDOM_WALK, teams=unknown))
+
+
+def _by_gain(estimates: Estimates) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+    """Return the teams that improved, those that did not, and those of which it is not known."""
+    ends = {team: estimates[key].ends for team, key in _asked(estimates, GAINS).items()}
+    improved = tuple(team for team, (low, _) in ends.items() if low > 0.0)
+    # A small gain that is told from 0 is no evidence of standstill.
+    still = tuple(team for team, (low, high) in ends.items() if low <= 0.0 and high < LEAST_GAIN)
+    unknown = tuple(team for team in ends if team not in (*improved, *still))
+    return improved, still, unknown
 
 
 def _may_be_a_circle(gains: Estimates, earlier: Findings) -> bool:
@@ -278,8 +348,7 @@ def _joint(estimates: Estimates, *, sign: float) -> Finding:
     if low > LEAST_GAIN:
         if change.note.why is Why.NOT_SUSTAINED:
             return Finding(CANNOT_TELL, Reason(Why.JOINT_JUMP))
-        changed = Why.JOINT_RISE if sign > 0.0 else Why.JOINT_FALL
-        return Finding(PRESENT, Reason(changed, LEAST_GAIN))
+        return Finding(PRESENT, Reason(Why.JOINT_CHANGE, LEAST_GAIN))
     if high < LEAST_GAIN:
         did_not = Why.NO_JOINT_RISE if sign > 0.0 else Why.NO_JOINT_FALL
         return Finding(ABSENT, Reason(did_not, LEAST_GAIN))
@@ -299,13 +368,19 @@ def _rise(estimates: Estimates, earlier: Findings) -> Finding:
     if _may_be_a_circle(gains, earlier):
         return Finding(CANNOT_TELL, Reason(Why.CIRCLE))
     rose = _above(estimates, CHANGES, LEAST_GAIN)
-    teams = tuple(
-        team for team in rose if estimates[CHANGES[team]].note.why is not Why.NOT_SUSTAINED
+    # A trend is no jump, however unevenly it goes.
+    improved, *_ = _by_gain(gains)
+    jumped = tuple(
+        team
+        for team in rose
+        if estimates[CHANGES[team]].note.why is Why.NOT_SUSTAINED and team not in improved
     )
-    if teams:
-        return Finding(PRESENT, Reason(Why.STRONGER, LEAST_GAIN, teams), teams)
+    if rose == jumped != ():
+        return Finding(CANNOT_TELL, Reason(Why.STRONGER_IN_A_JUMP, LEAST_GAIN, jumped))
     if rose:
-        return Finding(CANNOT_TELL, Reason(Why.STRONGER_IN_A_JUMP))
+        why = Why.STRONGER_BUT if jumped else Why.STRONGER
+        teams = tuple(team for team in rose if team not in jumped)
+        return Finding(PRESENT, Reason(why, LEAST_GAIN, jumped), teams)
     return _against_all(estimates, CHANGES, LEAST_GAIN, Why.NOT_STRONGER)
 
 
@@ -324,7 +399,8 @@ def _intransitivity(estimates: Estimates, earlier: Findings) -> Finding:
 def _cycling(estimates: Estimates, earlier: Findings) -> Finding:
     intransitivity = earlier["intransitivity"].verdict
     if intransitivity == ABSENT:
-        return Finding(ABSENT, Reason(Why.NO_CIRCLE))
+        decides = earlier["intransitivity"].estimates
+        return Finding(ABSENT, Reason(Why.NO_CIRCLE), estimates=decides)
     for key in _asked(estimates, RECURRENCES).values():
         if estimates[key].low is None:
             return Finding(CANNOT_TELL, estimates[key].note)
@@ -332,7 +408,7 @@ def _cycling(estimates: Estimates, earlier: Findings) -> Finding:
     if teams and intransitivity == CANNOT_TELL:
         return Finding(CANNOT_TELL, Reason(Why.RETURN_IN_ORDER))
     if teams:
-        return Finding(PRESENT, Reason(Why.RETURN, teams=teams), teams)
+        return Finding(PRESENT, Reason(Why.RETURN), teams)
     return _against_all(estimates, RECURRENCES, LEAST_RECURRENCE, Why.NO_RETURN)
 
 
@@ -342,8 +418,10 @@ def _return(estimates: Estimates, earlier: Findings) -> Finding:
     What a team does against whom has to matter: it changes scores by more than a margin.
     """
     least = LEAST_INTRANSITIVITY**2
-    if all(estimates[key].ends[1] < least for key in _asked(estimates, INTERACTIONS).values()):
-        return Finding(ABSENT, Reason(Why.NO_INTERACTION, LEAST_INTRANSITIVITY))
+    decide = {key: estimates[key] for key in _asked(estimates, INTERACTIONS).values()}
+    if all(interaction.ends[1] < least for interaction in decide.values()):
+        reason = Reason(Why.NO_INTERACTION, LEAST_INTRANSITIVITY)
+        return Finding(ABSENT, reason, estimates=decide)
     for key in _asked(estimates, RECURRENCES).values():
         if estimates[key].low is None:
             return Finding(CANNOT_TELL, estimates[key].note)
@@ -351,7 +429,7 @@ def _return(estimates: Estimates, earlier: Findings) -> Finding:
     matters = _above(estimates, INTERACTIONS, least)
     teams = tuple(team for team in returning if team in matters)
     if teams:
-        return Finding(PRESENT, Reason(Why.RETURN, teams=teams), teams)
+        return Finding(PRESENT, Reason(Why.RETURN), teams)
     if returning:
         return Finding(CANNOT_TELL, Reason(Why.RETURN_IN_ORDER))
     return _against_all(estimates, RECURRENCES, LEAST_RECURRENCE, Why.NO_RETURN)
@@ -387,12 +465,6 @@ def _above(estimates: Estimates, keys: Mapping[str, str], margin: float) -> tupl
 def _asked(estimates: Estimates, keys: Mapping[str, str]) -> dict[str, str]:
     """Return the numbers by team that a rule has: one population has those of the first team."""
     return {team: key for team, key in keys.items() if key in estimates}
-
-
-def _does_not_gain(gain: tuple[float, float]) -> bool:
-    # A small gain that is told from 0 is no evidence of standstill.
-    low, high = gain
-    return low <= 0.0 and high < LEAST_GAIN
 
 
 class Rule(NamedTuple):

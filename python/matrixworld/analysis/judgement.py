@@ -1,4 +1,8 @@
-"""Judgements: the findings on a race, and what they say in a sentence and a table."""
+"""Judgements: the findings on a race, and what they say in a sentence, a table and reasons.
+
+`WORDS` holds what is said of a condition that is present. Sentences and reasons both have it from
+`_happened`, so that they name the same teams in the same words.
+"""
 
 from __future__ import annotations
 
@@ -31,6 +35,8 @@ class Finding:
     teams: tuple[str, ...] = ()  # those of which a condition is present
     estimates: Estimates = field(default_factory=dict)  # the numbers that decide, if all are known
     by_run: tuple[str, ...] = ()  # verdict on each single run
+    learned: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+    """Where strength does not change: the opponents' generations that a team learned to beat."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -106,11 +112,11 @@ WORDS: Mapping[str, Words] = {
     "disengagement": Words("{teams}", "won nearly all matches"),
     "arms race": Words("{teams}", "improved", "rise"),
     "one-sided progress": Words("only {teams}", "improved", "rise"),
-    "rise": Words("{teams}", "became stronger{doubt}"),
+    "rise": Words("{teams}", "ended stronger"),
     "intransitivity": Words("no order of strength", "explains who beats whom"),
     "cycling": Words("{teams}", "went back to old strategies", "intransitivity"),
     "forgetting": Words("{teams}", "lost old skills ({sizes})", "intransitivity"),
-    "stagnation": Words("neither team", "became stronger or weaker"),
+    "stagnation": Words("neither team", "ended stronger or weaker{but}"),
 }
 """All conditions by name, in the order of tables."""
 
@@ -133,6 +139,8 @@ _OF_STRENGTH = frozenset(
 """Conditions that say whether a team improved, or why that is not known."""
 WHOLE = "whole"
 HALVES = ("first half", "last half")
+BOTH_HALVES = "both halves"
+"""Where a sentence tells what is present in either half, and not known of the whole race."""
 LEAST_LEAD = 0.05
 """A team has learned if its late generations are better than generation 0 by more than this."""
 
@@ -152,14 +160,16 @@ def sentence(judgement: Judgement) -> str:
     events = _events(judgement)
     told = {name for names in events.values() for name in names} & _OF_STRENGTH
     early = "" if told - {"stagnation"} else _learned_early(judgement)
-    if early and "stagnation" in events.get(HALVES[0], {}):
-        del events[HALVES[0]]["stagnation"]  # it is the half in which they learned
+    if early:  # in the first half
+        if "stagnation" in events[BOTH_HALVES]:
+            events[HALVES[1]]["stagnation"] = events[BOTH_HALVES].pop("stagnation")
+        events[HALVES[0]].pop("stagnation", None)
     clauses = [
         _beginning(judgement, each) + _clause(events[each]) for each in events if events[each]
     ]
-    if early and "stagnation" in events.get(WHOLE, {}):
+    if early and "stagnation" in events[WHOLE]:
         clauses[0] = f"{early}; after that {clauses[0]}"
-    elif early and "stagnation" in events.get(HALVES[1], {}):
+    elif early and "stagnation" in events[HALVES[1]]:
         clauses = [early, *clauses]
     elif early:
         clauses = [f"{early}; after that {_no_progress(replace(judgement, runs=1))}", *clauses]
@@ -168,7 +178,7 @@ def sentence(judgement: Judgement) -> str:
     elif clauses:
         clauses[0] = f"{_no_progress(judgement)}: {clauses[0]}"
     else:
-        clauses = [_no_progress(judgement) + _ended_better(judgement)]
+        clauses = [_no_progress(judgement) + _are_better(judgement)]
     return " ".join(f"{clause[0].upper()}{clause[1:]}." for clause in clauses)
 
 
@@ -186,17 +196,17 @@ def clarity(judgement: Judgement) -> tuple[bool, float]:
 
 def _events(judgement: Judgement) -> dict[str, dict[str, Event]]:
     """Return what a sentence tells: of each window the conditions, and who did what."""
-    events: dict[str, dict[str, Event]] = {window: {} for window in (WHOLE, *HALVES)}
+    events: dict[str, dict[str, Event]] = {w: {} for w in (WHOLE, BOTH_HALVES, *HALVES)}
     judged = judgement.findings
     for name in sorted(judged, key=lambda condition: condition not in _OF_STRENGTH):
         windows = _windows_of(judgement, name)
         told = [_happened(judgement, window, name) for window in windows]
-        if len(told) == 2 and told[0] == told[1]:  # the same in both halves
-            windows = [WHOLE]
+        if len(told) == 2 and told[0] == told[1]:
+            windows = [BOTH_HALVES]
             told = told[:1]
         for window, event in zip(windows, told, strict=True):
             events[window][name] = event
-    return {window: told for window, told in events.items() if told}
+    return events
 
 
 def _windows_of(judgement: Judgement, name: str) -> list[str]:
@@ -206,15 +216,24 @@ def _windows_of(judgement: Judgement, name: str) -> list[str]:
         return halves
     # A half speaks for itself if the other one surely differs.
     verdicts = {judgement.windows[half][name].verdict for half in HALVES}
-    return halves if verdicts == {PRESENT, ABSENT} else [WHOLE]
+    return halves if halves and verdicts == {PRESENT, ABSENT} else [WHOLE]
 
 
 def _not_implied(judgement: Judgement, window: str) -> list[str]:
-    """Return the conditions that are present in a window, but those that another one implies."""
-    implied = {
-        _words(name).implies for part in judgement.windows for name in judgement.present(part)
-    }
-    return [name for name in judgement.present(window) if name not in implied]
+    """Return the conditions that are present in a window, but those that another one implies.
+
+    A team that improved is not said to have ended stronger, too.
+    """
+    implied: dict[str, set[str]] = {}
+    for part, findings in judgement.windows.items():
+        for name in judgement.present(part):
+            implied.setdefault(_words(name).implies, set()).update(findings[name].teams)
+    found = judgement.windows[window]
+    return [
+        name
+        for name in judgement.present(window)
+        if name not in implied or not implied[name].issuperset(found[name].teams)
+    ]
 
 
 def _words(name: str) -> Words:
@@ -224,17 +243,17 @@ def _words(name: str) -> Words:
 
 def _happened(judgement: Judgement, window: str, name: str) -> Event:
     """Return in words who did what."""
-    findings = judgement.windows[window]
-    finding = findings[name]
+    finding = judgement.windows[window][name]
     words = {
         **names_of(judgement.teams),
         "teams": _named(finding.teams, judgement.teams),
         "sizes": _sizes(finding, name),
-        "doubt": _doubt(finding.teams, _gains_in(findings), judgement.teams),
+        "but": _learned_to_beat(finding, judgement),
         "joint": _joint_size(finding),
     }
     if name == "stagnation" and judgement.one_population:
-        return Event(f"the {judgement.teams[0]}", "became neither stronger nor weaker")
+        did = "ended neither stronger nor weaker{but}"
+        return Event(f"the {judgement.teams[0]}", did.format(**words))
     said = _words(name)
     return Event(said.who.format(**words), said.did.format(**words))
 
@@ -270,19 +289,19 @@ def _sizes(finding: Finding, name: str) -> str:
     return " and ".join(f"{size.value:.2f}" for size in sizes if size is not None)
 
 
-def _doubt(members: tuple[str, ...], gains: Estimates, teams: tuple[str, str]) -> str:
-    """Return that some teams, which became stronger, have no trend; empty if all have one."""
-    keys = keys_of("gain")
-    without = tuple(team for team in members if not _is_gain(gains.get(keys[team])))
-    if not without:
-        return ""
-    if without == members:
-        return " without a clear trend"
-    return f" ({_named(without, teams)} without a clear trend)"
-
-
-def _is_gain(gain: Estimate | None) -> bool:
-    return gain is not None and gain.low is not None and gain.low > 0.0
+def _learned_to_beat(finding: Finding, judgement: Judgement) -> str:
+    """Return which opponents teams learned to beat, as the end of a clause; or ""."""
+    names = names_of(judgement.teams)
+    clauses = []
+    for team, opponents in finding.learned.items():
+        others = names["evaders" if team == "pursuers" else "pursuers"]
+        whom = f"some generations of {others}"
+        if len(opponents) == 1:
+            whom = f"the {others} of generation {opponents[0]}"
+        elif opponents:
+            whom = f"{len(opponents)} generations of {others}"
+        clauses.append(f"the {names[team]} learned to beat {whom}")
+    return f", but {' and '.join(clauses)}" if clauses else ""
 
 
 def _clause(events: Mapping[str, Event]) -> str:
@@ -312,13 +331,13 @@ def _learned_early(judgement: Judgement) -> str:
     return f"{_of_runs(judgement)}{who} learned {when} ({sizes} better than generation 0)"
 
 
-def _ended_better(judgement: Judgement) -> str:
-    """Return who ended better than in generation 0, as the end of a clause; or ""."""
+def _are_better(judgement: Judgement) -> str:
+    """Return whose late generations are better than generation 0, as the end of a clause."""
     leading = _leading(judgement)
     if not leading:
         return ""
     who, sizes = _who_leads(judgement, leading)
-    return f", but {who} ended better than in generation 0 ({sizes})"
+    return f", but {who} are better than in generation 0 ({sizes})"
 
 
 def _leading(judgement: Judgement) -> dict[str, Lead]:
@@ -336,8 +355,8 @@ def _who_leads(judgement: Judgement, leads: Mapping[str, Lead]) -> tuple[str, st
 
 def _beginning(judgement: Judgement, window: str) -> str:
     """Return a window in words, as the beginning of a clause about it."""
-    if window == WHOLE:
-        return ""
+    if window in (WHOLE, BOTH_HALVES):
+        return "in both halves, " if window == BOTH_HALVES else ""
     pursuers, evaders = judgement.shape
     is_first = window == HALVES[0]
     # The last half begins with the middle generation; teams of different length share no number.
@@ -437,11 +456,28 @@ def explain(judgement: Judgement) -> str:
         head = name.capitalize()
         if window != WHOLE:
             head += f" ({window})"
-        reason = finding.reason.in_words(judgement.teams)
+        reason = _reason(judgement, window, name)
         lines.append(f"{head}: {finding.verdict}, because {reason}.{_counts(finding.by_run)}")
     for name, why in judgement.refused.items():
         lines.append(f"{name.capitalize()}: not judged, because {why.in_words(judgement.teams)}.")
     return "\n".join(lines)
+
+
+def _reason(judgement: Judgement, window: str, name: str) -> str:
+    """Return why a verdict is what it is; of what is present who did what, and how much."""
+    findings = judgement.windows[window]
+    finding = findings[name]
+    reason = finding.reason.in_words(judgement.teams)
+    if finding.verdict == PRESENT:
+        event = _happened(judgement, window, name)
+        reason = f"{event.who} {event.did}: {reason}"
+    if name != "rise":
+        return reason
+    improved = {team for each in PROGRESS if each in findings for team in findings[each].teams}
+    rest = tuple(team for team in keys_of("gain") if team in improved - {*finding.teams})
+    if not rest:
+        return reason
+    return f"{reason}; {_named(rest, judgement.teams)} improved, but perhaps by less"
 
 
 def _counts(by_run: tuple[str, ...]) -> str:

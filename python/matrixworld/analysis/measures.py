@@ -7,7 +7,7 @@ several, of a window of the race, and of the level of the interval, which return
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, NamedTuple
@@ -51,6 +51,7 @@ class Measure:
     general: bool = False  # whether it has a meaning where teams have payoffs of their own
     constant: bool = True  # whether it has one where one wins what the other loses
     alone: bool = False  # whether it has one for one population
+    bounds: Bounds = UNBOUNDED  # smallest and largest value, to which intervals are clipped
 
     def of(self, source: Source, window: str | None = None, *, level: float = LEVEL) -> Estimate:
         """Return the number of one run or several in a window, by default that of tables.
@@ -70,7 +71,11 @@ class Measure:
             part = payoffs.windows[window]
         if part.generations < 2:
             return Estimate(math.nan, note=Reason(Why.ONE_GENERATION))
-        return self.estimate(payoffs, part, level)
+        return self.estimated(payoffs, part, level)
+
+    def estimated(self, payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        """Return the `estimate` inside the bounds."""
+        return self.estimate(payoffs, window, level).clipped(self.bounds)
 
     def has_meaning(self, payoffs: Payoffs) -> bool:
         """Return whether the number has a meaning for games of this kind."""
@@ -102,7 +107,7 @@ class Measure:
     def shown(self, estimate: Estimate) -> str:
         """Return an estimate as text, with its interval in brackets."""
         if math.isnan(estimate.value):
-            return "not known"
+            return "cannot tell"
         if self.squared:
             # Noise is subtracted from a square, so it may be negative.
             low = None if estimate.low is None else _root(estimate.low)
@@ -288,13 +293,58 @@ def _lead_of_course(course: Rates, level: float) -> Lead:
     late = course[half:]
     lead = float(late.mean() - course[0])
     reach = intervals.prediction_reach(late, level)
-    size = Estimate(lead, lead - reach, lead + reach, "generations", len(late))
+    size = Estimate(lead, lead - reach, lead + reach, "generations", len(late)).clipped(GAIN)
     means = np.convolve(course[1:], np.full(3, 1 / 3), "valid")
     enough = np.flatnonzero(means >= course[0] + 0.9 * lead)
     if lead <= 0.0 or not len(enough) or enough[0] + 1 >= half:
         return Lead(size, None)
     moves = float(np.ptp(means[enough[0] :]))
     return Lead(size, 1 + int(enough[0]) if moves < lead / 4.0 else None)
+
+
+LEAST_LEARNED = 0.25
+"""A team learned to beat an opponent if it wins more than half, and by so much more than before."""
+
+
+def learned_to_beat(payoffs: Payoffs, window: Window, level: float) -> dict[str, tuple[int, ...]]:
+    """Return the opponents' generations that a team learned to beat in a window, by team.
+
+    The last third of its generations score more against them than the first third, in a t interval
+    that holds for all opponents of both teams (Bonferroni). Of several runs each has to show some.
+    """
+    return learned_in_all(
+        [
+            {
+                team: opponents
+                for team in (("pursuers",) if payoffs.one_population else BOTH)
+                if (opponents := _beaten(run, window, level, team))
+            }
+            for run in payoffs.runs
+        ]
+    )
+
+
+def learned_in_all(runs: Sequence[Mapping[str, tuple[int, ...]]]) -> dict[str, tuple[int, ...]]:
+    """Return the teams that learned in all runs, and the opponents that they beat in each."""
+    first, *others = runs
+    return {
+        team: tuple(one for one in opponents if all(one in other[team] for other in others))
+        for team, opponents in first.items()
+        if all(team in other for other in others)
+    }
+
+
+def _beaten(run: Payoffs, window: Window, level: float, team: str) -> tuple[int, ...]:
+    scores = run.side(team).matrices[0][_span(window, team)]
+    third = len(scores) // 3
+    before, after = scores[:third], scores[-third:]
+    rises = after.mean(axis=0) - before.mean(axis=0)
+    errors = np.sqrt((before.var(axis=0, ddof=1) + after.var(axis=0, ddof=1)) / third)
+    each = 1.0 - (1.0 - level) / sum(run.shape)
+    # The fewest degrees of freedom that Welch's t may have.
+    reach = intervals.t_quantile(each, third - 1) * errors
+    learned = (rises > np.maximum(LEAST_LEARNED, reach)) & (after.mean(axis=0) > 0.5)
+    return tuple(np.flatnonzero(learned).tolist())
 
 
 def _last_rating(matrix: Rates, team: str) -> float:
@@ -455,20 +505,28 @@ def _joint_mean(payoffs: Payoffs, window: Window, level: float) -> Estimate:
 def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     if window.generations < GENERATIONS_TO_JUDGE:
         return Estimate(math.nan, note=Reason(Why.TOO_SHORT))
-    gain = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
-    scores = payoffs.side(team).matrices.mean(axis=0)[_span(window, team)]
-    note = Reason(Why.FALLS_BACK) if strength.falls_back(scores) else NOTHING
+    scores, noise = _without_outliers(payoffs, window, team)
+    gain = strength.gain_of_runs(scores.mean(axis=2), noise, level=level)
+    note = Reason(Why.FALLS_BACK) if strength.falls_back(scores.mean(axis=0)) else NOTHING
     if len(payoffs) > 1:
         return replace(gain, across="runs", samples=len(payoffs), note=note)
     return replace(gain, across="episodes", samples=payoffs.episodes or 0, note=note)
+
+
+def _without_outliers(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]:
+    """Return payoffs (runs, k, m) of a team without outlying generations, and noise of means."""
+    matrices = payoffs.side(team).matrices[:, _span(window, team)]
+    _, noise = _courses(payoffs, window, team)
+    runs = zip(matrices, noise, strict=True)
+    return np.stack([strength.without_outliers(*run) for run in runs]), noise
 
 
 def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     change = _deciding(payoffs, window, level, of_run=_change_of_run, team=team)
     if change.low is None or change.low <= 0.0 <= (change.high or 0.0):
         return change
-    course = _courses(payoffs, window, team)[0].mean(axis=0)
-    if strength.is_sustained(course):
+    scores, _ = _without_outliers(payoffs, window, team)
+    if strength.is_sustained(scores.mean(axis=(0, 2))):
         return change
     return replace(change, note=Reason(Why.NOT_SUSTAINED))
 
@@ -608,19 +666,20 @@ ROWS = (
     # What the judgement rests on, in its window.
     Measure(
         "one_sidedness", "payoff of the winning team", partial(_deciding, of_run=_one_sidedness),
-        short="winning team", late=True,
+        short="winning team", late=True, bounds=UNIT,
     ),
     Measure(
         "joint_change", "change of the mean of both sides", _joint_change,
         short="mean of both sides", late=True, form="+.3f", general=True, constant=False,
-        alone=True,
+        alone=True, bounds=GAIN,
     ),
     *_of_teams(
-        "gain", "gain of the {team}", _gain, short="{team}", late=True, form="+.3f", general=True
+        "gain", "gain of the {team}", _gain, short="{team}", late=True, form="+.3f", general=True,
+        bounds=GAIN,
     ),
     *_of_teams(
         "change", "change of the {team}", _change, short="{team}", late=True, form="+.3f",
-        general=True,
+        general=True, bounds=GAIN,
     ),
     Measure(
         "squared_intransitivity", "intransitivity", partial(_deciding, of_run=_intransitivity),
@@ -628,7 +687,7 @@ ROWS = (
     ),
     *_of_teams(
         "recurrence", "recurrence of the {team}", partial(_deciding, of_run=_recurrence),
-        short="{team}", late=True, form="+.3f", general=True,
+        short="{team}", late=True, form="+.3f", general=True, bounds=GAIN,
     ),
     *_of_teams(
         "squared_interaction", "interaction of the {team}",
@@ -641,7 +700,7 @@ ROWS = (
     ),
     *_of_teams(
         "forgetting", "forgetting of the {team}", _forgetting, short="{team}", late=True,
-        general=True,
+        general=True, bounds=UNIT,
     ),
     # Early generations mix untrained and trained teams.
     Measure(

@@ -1,7 +1,8 @@
 """Reasons: why a number has no interval or no value, and why a verdict is what it is.
 
 Code asks which reason it is by its member of `Why`. Its words are made when they are printed, with
-the names that a game gives its teams.
+the names that a game gives its teams. Of a condition that is present they say how much, not who did
+what: `judgement.Words` says that, in sentences and before the reason.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from matrixworld.analysis.teams import listed, names_of
 
 @unique
 class Why(Enum):
-    """Reasons; the value is a clause after "because".
+    """Reasons; the value is a clause after "because", or after who did what.
 
     It may name the `{number}` and the `{teams}` of a `Reason`, and the `{score}` of a game.
     """
@@ -63,29 +64,29 @@ class Why(Enum):
     MARGIN_INSIDE = "the interval contains the margin"
     HIDDEN = "one team wins nearly all matches, which hides this condition"
     FEW_ENGAGED = "fewer than {number} of the runs are engaged, the others hide this condition"
+    EACH_RUN = "each run by itself says so"
+    RUNS_DIFFER = "the runs do not all show the same"
 
     # Disengagement:
-    ONE_SIDED = "one team gets more than {number:.0%} of its payoff in half of the generations"
+    ONE_SIDED = "more than {number:.0%} of the payoff in half of the generations"
     NOT_ONE_SIDED = "neither team gets {number:.0%} of its payoff in half of the generations"
 
-    # Progress:
-    BOTH_RISE = (
-        "both teams rise by more than a random walk with such steps would; whether they need each "
-        "other for it, no matrix tells"
+    # Arms race, one-sided progress, and progress:
+    BOTH_IMPROVED = (
+        "each by more than a random walk with such steps would; whether they need each other for "
+        "it, no matrix tells"
     )
-    ONE_RISES = "one team rises by more than a random walk would, the other stands still"
-    ONE_WITHOUT_TREND = "a team has no trend: its gain is not above 0, and below {number}"
-    BOTH_WITH_TREND = "both teams have a trend"
-    NONE_WITH_TREND = "neither team has a trend"
-    RANDOM_WALK = "a random walk may explain the gain of at least one team"
+    ONE_IMPROVED = "by more than a random walk with such steps would; the other team stands still"
+    IMPROVED = "by more than a random walk with such steps would"
+    NOT_IMPROVED = "{teams} did not improve: their gain is not above 0, and below {number}"
+    BOTH_DID = "both teams improved"
+    RANDOM_WALK = "a random walk may explain the gain of {teams}"
+    MAY_FALL = "{teams} did not stand still: it may be a loss of {number}"
     CIRCLE = "both teams lose again what they gain, as in a circle, whose end is not seen"
-    ONE_HALF = "what rises in this half does not rise in the same way over the whole race"
-
-    RISES = "{teams} rise by more than a random walk with such steps would"
+    ONE_HALF = "what improves in this half does not improve in the same way over the whole race"
 
     # The mean of both sides:
-    JOINT_RISE = "the mean of both sides rose by more than {number} against contemporaries"
-    JOINT_FALL = "the mean of both sides fell by more than {number} against contemporaries"
+    JOINT_CHANGE = "surely by more than {number}, and not mostly in a jump"
     NO_JOINT_RISE = "the mean of both sides did not rise by {number} against contemporaries"
     NO_JOINT_FALL = "the mean of both sides did not fall by {number} against contemporaries"
     JOINT_JUMP = "the mean of both sides changed, but mostly in a jump or with a setback"
@@ -96,15 +97,20 @@ class Why(Enum):
     NOTHING_TO_RACE_WITH = "one population has no other one to race with"
 
     # Rise:
-    STRONGER = "{teams} became stronger by more than {number} this time"
-    NOT_STRONGER = "neither team became {number} stronger this time"
-    STRONGER_IN_A_JUMP = "a team became stronger, but mostly in a jump or with a setback"
+    STRONGER = "by more than {number} in this race"
+    STRONGER_BUT = (
+        "by more than {number} in this race; {teams}, too, but mostly in a jump or with a setback"
+    )
+    STRONGER_IN_A_JUMP = (
+        "{teams} ended more than {number} stronger, but mostly in a jump or with a setback"
+    )
+    NOT_STRONGER = "neither team ended {number} stronger"
 
     # Intransitivity and cycling:
-    NO_ORDER = "neither an order of strength nor episode noise explains the {score}s"
+    NO_ORDER = "episode noise does not, either"
     ORDER = "an order of strength and episode noise explain the {score}s"
     FEW_CHECKERBOARDS = "no order of strength explains the {score}s, but checkerboards are rare"
-    RETURN = "strategies of {teams} return"
+    RETURN = "generations are like earlier ones again, after others that were not"
     NO_RETURN = "no strategies return"
     RETURN_IN_ORDER = "strategies return, but an order of strength may explain them"
     NO_INTERACTION = (
@@ -113,14 +119,14 @@ class Why(Enum):
     NO_CIRCLE = "generations do not beat each other in a circle"
 
     # Forgetting:
-    FORGETS = "a team falls more than {number} below its best ancestors"
+    FORGETS = "more than {number} below the best ancestors"
     NOT_FORGETS = "neither team falls {number} below its best ancestors"
 
     # Stagnation:
-    NO_CHANGE = "neither team's strength changes by {number}, nor who beats whom"
+    NO_CHANGE = "no change of {number} in the mean over all opponents, nor in who beats whom"
     CHANGES = "the strength of a team changes by {number} or more"
     MAY_CHANGE = "a change of {number} cannot be ruled out"
-    MAY_BE_INTRANSITIVE = "neither team becomes stronger, but the race may be intransitive"
+    MAY_BE_INTRANSITIVE = "neither team ended stronger, but the race may be intransitive"
     PROGRESS = "progress is present"
     ARMS_RACE = "arms race is present"
     ONE_SIDED_PROGRESS = "one-sided progress is present"
@@ -130,19 +136,12 @@ class Why(Enum):
 OF_ONE_POPULATION: dict[Why, str] = {
     Why.TOO_SHORT: f"it takes at least {GENERATIONS_TO_JUDGE} generations",
     Why.ONE_GENERATION: "it takes at least 2 generations",
-    Why.RANDOM_WALK: "a random walk may explain the gain of the population",
     Why.CIRCLE: "the population loses again what it gains, as in a circle, whose end is not seen",
-    Why.NONE_WITH_TREND: "the population has no trend",
-    Why.NOT_STRONGER: "the population did not become {number} stronger this time",
-    Why.STRONGER_IN_A_JUMP: (
-        "the population became stronger, but mostly in a jump or with a setback"
-    ),
-    Why.FORGETS: "the population falls more than {number} below its best ancestors",
+    Why.NOT_STRONGER: "the population did not end {number} stronger",
     Why.NOT_FORGETS: "the population does not fall {number} below its best ancestors",
-    Why.NO_CHANGE: "the strength of the population does not change by {number}, nor who beats whom",
     Why.CHANGES: "the strength of the population changes by {number} or more",
     Why.MAY_BE_INTRANSITIVE: (
-        "the population does not become stronger, but the race may be intransitive"
+        "the population did not end stronger, but the race may be intransitive"
     ),
 }
 """What reasons are called that would speak of two teams."""

@@ -14,7 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis import intervals
 from matrixworld.analysis.intervals import LEVEL, Estimate, t_ends, t_quantile
-from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff, swap_teams
+from matrixworld.analysis.payoffs import (
+    GENERATIONS_TO_JUDGE,
+    ByTeam,
+    Rates,
+    check_payoff,
+    swap_teams,
+)
 
 GRID = 40  # values of each standard deviation over which the posterior is summed
 WIDEST = (4.0, 3.0)
@@ -23,8 +29,52 @@ observed steps."""
 PARTS = 5  # parts of a course, none of which may fall back, and of the opponents
 SETBACK, OF_GAIN = 0.25, 0.05
 """Share of its change by which a sustained course goes back at most, and the course of a gain."""
+OUTLYING, LEAST_OUTLYING = 4.0, 0.15
+"""An outlying generation is so many standard deviations, and so much, from its neighbours."""
+NEIGHBOURS, NEARBY = 3, 15  # generations on either side; all whose deviations are compared
+PER_MEDIAN = 1.4826  # standard deviation of normal numbers by their median distance from 0
 _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
 _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
+
+
+def without_outliers(scores: Rates, noise: Rates) -> Rates:
+    """Return scores (k, m) of a team; outlying generations lie on lines between the others.
+
+    A generation is outlying if its mean is far from the median of seven generations, itself in the
+    middle: as seen beside those of all generations, of those nearby, and beside the noise (k,), the
+    variance of the means. A jump of strength is none, because it stays. The last generation is
+    compared with the three before. If more than a third are outlying, all remain.
+
+    The filter is Hampel's: Davies and Gather (1993), "The identification of multiple outliers",
+    Journal of the American Statistical Association 88.
+    """
+    course = scores.mean(axis=1)
+    size = len(course)
+    if size < GENERATIONS_TO_JUDGE:
+        return scores
+    off = np.abs(course - _running_median(course))[1:-1]  # the ends have no neighbours
+    first = np.clip(np.arange(size) - 1 - NEARBY // 2, 0, max(0, size - 2 - NEARBY))
+    nearby = np.array([np.median(off[start : start + NEARBY]) for start in first])
+    deviation = PER_MEDIAN * np.maximum(np.median(off), nearby)
+    far = OUTLYING * np.maximum(deviation, np.sqrt(noise.mean()))
+    far = np.maximum(far, LEAST_OUTLYING)
+    outlying = np.r_[False, off > far[1:-1], False]
+    usual = course[1:-1][~outlying[1:-1]]
+    if len(usual) >= NEIGHBOURS:
+        step = float(np.median(np.abs(np.diff(usual))))
+        last = abs(course[-1] - np.median(usual[-NEIGHBOURS:]))
+        outlying[-1] = last > max(far[-1], OUTLYING * step)
+    if not 0 < outlying.sum() <= size / 3.0:
+        return scores
+    places, kept = np.arange(size), np.flatnonzero(~outlying)
+    return np.stack([np.interp(places, kept, column[kept]) for column in scores.T], axis=1)
+
+
+def _running_median(course: Rates) -> Rates:
+    """Return medians of each number and its neighbours, as many before as after it."""
+    last = len(course) - 1
+    reach = [min(NEIGHBOURS, at, last - at) for at in range(len(course))]
+    return np.array([np.median(course[at - r : at + r + 1]) for at, r in enumerate(reach)])
 
 
 def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
