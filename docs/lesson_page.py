@@ -12,14 +12,16 @@ import re
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
 from course.figures import CROSSINGS, may_go
 from course.questions import TEXTS as COURSE
 from course.questions import texts_of
 from matrixworld.coevolution.saved_run import open_runs
+from matrixworld.coevolution.types import Payoff
 from matrixworld.explorer.evolve_page import evolve_data
 from matrixworld.explorer.page import render_page, write_page
 from matrixworld.explorer.playground import page_data
-from matrixworld.explorer.runs_page import runs_data
+from matrixworld.explorer.runs_page import findings, runs_data
 from matrixworld.version import __version__
 from matrixworld.world.arrays import MOVES
 
@@ -49,9 +51,12 @@ def races_of_job(job: Path) -> Races:
 
 
 def races_of_page(page: str) -> Races:
-    """Return the races that a page holds."""
+    """Return the races that a page holds, judged by the rules of today."""
     scripts = dict(re.findall(r'<script type="[^"]+" id="([\w-]+)">(.*?)</script>', page))
     runs = json.loads(scripts.pop("data"))["runs"]
+    for run in runs:
+        scores = np.array(run["payoff"]["capture_rates"], np.float32)
+        run["findings"] = findings(Payoff(scores))
     return Races(runs, {name: base64.b64decode(each) for name, each in scripts.items()})
 
 
@@ -117,5 +122,5 @@ def crossings() -> list[dict[str, Any]]:
     ]
 
 
-_ARMS_RACE = ["arms race", "last half"]
+_ARMS_RACE = ["arms race", "whole race"]
 """Condition and window of the row of the judgement that prediction 0.g asks for."""
