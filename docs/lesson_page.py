@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+
 from course.figures import CROSSINGS, may_go
 from course.questions import TEXTS as COURSE
 from course.questions import texts_of
