@@ -1,42 +1,22 @@
 """Which schedule converges if learning is perfect? Exact best responses, then poorer learners.
 
-    python evolution/perfect_learners.py             30 worlds, twenty minutes of one core
+    python evolution/perfect_learners.py             30 worlds, fifteen minutes of one core
     python evolution/perfect_learners.py --quick     four small worlds, some seconds
 
 `convergence.py` compares schedules by one learner in one world. Here the learner is the exact best
 response to the mixture of past opponents that a schedule says (`tabular.py`), in 30 solved worlds;
 then it is degraded step by step. In half of the worlds agents or teams take turns, in the other
-half all move at once, and to move second is worth at least .02. Worlds are drawn by chance (seed
-66; trials were in worlds of seed 65), and played in this order: whatever is finished is a fair
-sample. Each generation has one response of each team; the first tables are drawn by chance, the
-same ones for all schedules and learners of a world. Numbers are kept by world; an interrupted
-script goes on. Two earlier starts, with larger worlds, were stopped for time, unseen.
+half all move at once. Each generation has one response of each team; the first tables are drawn by
+chance, the same ones for all schedules and learners of a world. Numbers are kept by world; an
+interrupted script goes on.
 
-The *NashConv* of a pair is what the best responses of both teams gain, exactly: 0 is perfect play.
-It is told of the newest generations; of those *chosen*, with the highest mean score in the matrix
-of the race; of the *average* of all generations; and of the *mixture*, the equilibrium of the
-matrix. Averages and mixtures draw a generation in every turn anew. Where all move at once no
-single generation guarantees anything: there the unit is the mixture, else the newest generation.
-
-Decided before the worlds were played, of the NashConv of the unit after 64 generations:
-
-1.  A perfect learner converges in turns under each schedule: at most .01 in each world. Proof for
-    specialists: a generation that answers in all states plays one turn more, from the end,
-    perfectly. The others are measured.
-2.  Where all move at once, no schedule of a perfect learner converges by its newest generation, and
-    mixtures of PSRO are closer to perfect than those of specialists.
-3.  Schedules *matter* for a learner if Friedman's test over the worlds (blocks) tells the seven
-    schedules apart, p < .05 after Holm's adjustment for all learners and both kinds of worlds, and
-    the means of two schedules differ by .05 or more. They *do not matter* if all differences of
-    pairs of schedules have 95 % intervals within .05. Else the table says: cannot tell.
-4.  A race *forgets* if its newest generation was within .01 of perfect play and ends above .05.
-
-Worlds are the units of all tests and intervals (Student's t).
+What is measured, claimed and tested was fixed before the worlds were played:
+results/perfect_learners/registered.md.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from itertools import combinations
 from typing import Any
@@ -48,7 +28,6 @@ from scipy import stats
 from tqdm import tqdm
 
 import common
-from matrixworld.analysis import interval_over_runs
 from matrixworld.plots import save_figure
 from tabular import (
     CHOICES,
@@ -57,18 +36,28 @@ from tabular import (
     SCHEDULES,
     SPECIALISTS,
     WORLDS,
+    Floats,
     Game,
     Race,
     config_of,
 )
 
 QUICK_WORLDS = 4
-GENERATIONS = {False: 64, True: 4}
-"""Full length, or with ``--quick``."""
-CLOSE, FAR, MARGIN = 0.01, 0.05, 0.05
-PSRO, RETAIN, PERFECT = "PSRO, Nash", "specialists that retain", "perfect"
-KINDS = {"in turns": "newest", "at once": "mixture"}
-"""Kinds of worlds, and whose NashConv is the unit there."""
+HORIZONS = {False: (1, 16, 64), True: (1, 2, 4)}
+"""Generations after which all choices are measured: full length, or with ``--quick``."""
+FIRST_SEED = 1000
+"""The seed of the first tables of the first world; seeds below were played before."""
+LEVELS = (0.01, 0.05)
+"""What counts as perfect, strictly and loosely."""
+MARGINS = (0.02, 0.05)
+"""Which differences matter."""
+PSRO, HALL, PERFECT = "PSRO, Nash", "hall of fame", "perfect"
+ROOM = 0.05
+"""How far the least NashConv of tables must be below 1, so that newest generations can differ."""
+KINDS = {"in turns": ("newest",), "at once": CHOICES}
+"""Kinds of worlds, and whose NashConv is tested there."""
+DRAWS = 200
+"""Sets of simulated numbers from which error rates are computed."""
 
 
 def watched(generations: int) -> list[int]:
@@ -76,58 +65,75 @@ def watched(generations: int) -> list[int]:
     return [k for k in range(generations + 1) if k <= 8 or k % 4 == 0]
 
 
-def told_at(generations: int) -> list[int]:
-    """Return the generations after which all choices are measured: powers of two."""
-    return [2**k for k in range(generations.bit_length()) if 2**k <= generations]
-
-
 def measured(world: str, quick: bool) -> dict[str, Any]:
     """Return the numbers of all races in a world."""
-    game, seed, generations = Game(config_of(world)), WORLDS.index(world), GENERATIONS[quick]
+    game, seed, horizons = Game(config_of(world)), WORLDS.index(world), HORIZONS[quick]
+    captures, concedes = game.of_tables
     found: dict[str, Any] = {
-        "world": world, "together": game.together, "value": game.value,
-        "mixing": game.mixing, "states": game.states.total,
-        "watched": watched(generations),
+        "world": world, "together": game.together, "states": game.states.total,
+        "value": game.value, "pursuers": captures, "evaders": concedes,
+        "watched": watched(horizons[-1]), "horizons": horizons,
     }  # fmt: skip
     for learner, learns in LEARNERS.items():
         for schedule, meets in SCHEDULES.items():
-            race = Race(game, meets, learns, seed)
-            newest, told = [race.nash_conv()], []
-            for generation in range(1, generations + 1):
+            race = Race(game, meets, learns, FIRST_SEED + seed)
+            curve, told = [race.nash_conv()], []
+            for generation in range(1, horizons[-1] + 1):
                 race.go()
-                if generation in watched(generations):
-                    newest.append(race.nash_conv())
-                if generation in told_at(generations):
-                    told.append({choice: race.nash_conv(choice) for choice in CHOICES[1:]})
+                if generation in found["watched"]:
+                    curve.append(race.nash_conv())
+                if generation in horizons:
+                    told.append([race.nash_convs(choice) for choice in CHOICES])
             kind = f"{learner}; {schedule}"
-            found[f"{kind} / newest"] = np.round(newest, 6).tolist()
-            for choice in CHOICES[1:]:
-                found[f"{kind} / {choice}"] = [round(each[choice], 6) for each in told]
+            found[f"{kind} / curve"] = np.round(curve, 4).tolist()
+            for place, choice in enumerate(CHOICES):
+                found[f"{kind} / {choice}"] = np.round([at[place] for at in told], 4).tolist()
     return found
 
 
 def stacked(of_worlds: list[dict[str, Any]]) -> dict[str, NDArray[Any]]:
     """Return the numbers of all worlds by name; the first axis is that of the worlds."""
-    found = {name: np.array([each[name] for each in of_worlds]) for name in of_worlds[0]}
-    return {name: np.round(a, 4) if a.dtype == np.float64 else a for name, a in found.items()}
+    return {name: np.array([each[name] for each in of_worlds]) for name in of_worlds[0]}
 
 
-# Tables
+# What is said
 
-Ends = Mapping[str, NDArray[np.float64]]
-"""By schedule, the NashConv of the unit at the end (worlds,)."""
-
-
-def of_kind(numbers: common.Numbers, kind: str) -> NDArray[np.bool_]:
-    """Return which worlds are of a kind."""
-    return np.asarray(numbers["together"] == (kind == "at once"))
+Ends = Mapping[str, Floats]
+"""By schedule, one number for each world (worlds,)."""
+Row = tuple[str, str, str]
+"""A kind of world, a choice, and a learner."""
 
 
-def ends(numbers: common.Numbers, learner: str, kind: str, choice: str = "") -> Ends:
-    """Return the NashConv after the last generation, by schedule."""
-    chosen, worlds = choice or KINDS[kind], of_kind(numbers, kind)
+def of_kind(numbers: common.Numbers, kind: str, choice: str = "") -> NDArray[np.bool_]:
+    """Return which worlds of a kind count for a choice: those with `ROOM` for the newest."""
+    found = numbers["together"] == (kind == "at once")
+    if choice == "newest":
+        found &= numbers["evaders"] - numbers["pursuers"] <= 1.0 - ROOM
+    return np.asarray(found)
+
+
+def bounds(numbers: common.Numbers, kind: str, choice: str) -> Floats:
+    """Return the least NashConv of a choice: of tables, what it is worth to move second."""
+    least = numbers["evaders"] - numbers["pursuers"] if choice == "newest" else 0 * numbers["value"]
+    return np.asarray(least[of_kind(numbers, kind, choice)])
+
+
+def ends(numbers: common.Numbers, learner: str, kind: str, choice: str, horizon: int = -1) -> Ends:
+    """Return the NashConv above its least value at a horizon, by schedule."""
+    least, worlds = bounds(numbers, kind, choice), of_kind(numbers, kind, choice)
     return {
-        schedule: numbers[f"{learner}; {schedule} / {chosen}"][worlds, -1] for schedule in SCHEDULES
+        schedule: numbers[f"{learner}; {schedule} / {choice}"][worlds, horizon, 0] - least
+        for schedule in SCHEDULES
+    }
+
+
+def rows_of(numbers: common.Numbers, horizon: int = -1) -> dict[Row, Ends]:
+    """Return all comparisons of schedules at a horizon."""
+    return {
+        (kind, choice, learner): ends(numbers, learner, kind, choice, horizon)
+        for kind, choices in KINDS.items()
+        for choice in choices
+        for learner in LEARNERS
     }
 
 
@@ -144,151 +150,249 @@ def spread(found: Ends) -> float:
     return float(np.ptp([each.mean() for each in found.values()]))
 
 
-def verdict(found: Ends, p: float) -> str:
+def farthest(differences: Floats) -> float:
+    """Return the end farthest from 0 of the 95 % intervals (Student's t) of means (..., worlds)."""
+    count = differences.shape[-1]
+    if count < 2:
+        return np.inf
+    half = stats.t.ppf(0.975, count - 1) * differences.std(axis=-1, ddof=1) / np.sqrt(count)
+    return float((abs(differences.mean(axis=-1)) + half).max())
+
+
+def verdict(found: Ends, p: float, margin: float) -> str:
     """Return whether schedules matter, by the adjusted p-value and all differences of pairs."""
-    if p < common.SIGNIFICANCE and spread(found) >= MARGIN:
+    if p < common.SIGNIFICANCE and spread(found) >= margin:
         return "matter"
-    intervals = [interval_over_runs(a - b) for a, b in combinations(found.values(), 2)]
-    # Worlds that all agree have no interval: their difference is the same everywhere.
-    bounds = [abs(end) for each in intervals for end in (each.low, each.high, each.value)
-              if end is not None]  # fmt: skip
-    return "do not matter" if max(bounds) < MARGIN else "cannot tell"
+    pairs = np.stack([a - b for a, b in combinations(found.values(), 2)])
+    return "do not matter" if farthest(pairs) < margin else "cannot tell"
 
 
-def verdicts(numbers: common.Numbers) -> dict[tuple[str, str], tuple[float, float, str]]:
-    """Return p-value, spread and verdict by learner and kind of world."""
-    found = {
-        (learner, kind): ends(numbers, learner, kind) for learner in LEARNERS for kind in KINDS
-    }
-    adjusted = common.holm([friedman(each) for each in found.values()])
+def verdicts(rows: Mapping[Row, Ends]) -> dict[Row, tuple[float, tuple[str, ...]]]:
+    """Return the p-value of each comparison, adjusted for all, and the verdict at each margin."""
+    adjusted = common.holm([friedman(each) for each in rows.values()])
     return {
-        key: (float(p), spread(each), verdict(each, float(p)))
-        for (key, each), p in zip(found.items(), adjusted, strict=True)
+        row: (float(p), tuple(verdict(each, p, margin) for margin in MARGINS))
+        for (row, each), p in zip(rows.items(), adjusted, strict=True)
     }
 
 
-def table_of_ladder(numbers: common.Numbers, kind: str) -> str:
-    """Return the mean NashConv of the unit by learner and schedule, and whether these matter."""
-    heads = ["learner", *SCHEDULES, "largest difference", "Friedman, Holm", "schedules"]
-    rows = []
-    for (learner, of), (p, apart, said) in verdicts(numbers).items():
-        if of == kind:
-            means = [f"{each.mean():.3f}" for each in ends(numbers, learner, kind).values()]
-            rows.append([learner, *means, f"{apart:.3f}", common.shown_p(p), f"**{said}**"])
-    return common.markdown(heads, rows)
-
-
-def table_of_perfect(numbers: common.Numbers, kind: str) -> str:
-    """Return what each schedule of the perfect learner comes to."""
-    worlds = of_kind(numbers, kind)
-    differences = {
-        (schedule, choice): found[schedule] - found[SPECIALISTS]
-        for choice in ("newest", "average", "mixture")
-        for found in [ends(numbers, PERFECT, kind, choice)]
-        for schedule in SCHEDULES
-        if schedule != SPECIALISTS
-    }
-    adjusted = common.adjusted(differences)
-    rows = []
-    for schedule in SCHEDULES:
-        of_choices = [ends(numbers, PERFECT, kind, choice)[schedule] for choice in CHOICES]
-        cells = [schedule, *map(common.mean, of_choices)]
-        unit = ends(numbers, PERFECT, kind)[schedule]
-        curve = numbers[f"{PERFECT}; {schedule} / newest"][worlds]
-        settled = settles(curve, numbers["watched"][0])
-        said = "never" if np.isnan(settled).all() else f"{np.nanmedian(settled):.0f}"
-        cells += [f"{(unit <= CLOSE).sum()} of {len(unit)}", said]
-        key = (schedule, KINDS[kind])
-        if key in adjusted:
-            told = common.mean(differences[key], sign="+")
-            cells.append(f"{told}, {common.shown_p(adjusted[key])}")
-        else:
-            cells.append("")
-        rows.append(cells)
-    heads = ["perfect learner", *CHOICES, f"{KINDS[kind]} within .01", "newest settles at",
-             f"{KINDS[kind]}, minus specialists; Holm"]  # fmt: skip
-    return common.markdown(heads, rows).replace("|  |", "| |")
-
-
-def settles(curves: NDArray[np.float64], generations: NDArray[np.int64]) -> NDArray[np.float64]:
+def settles(curves: Floats, generations: NDArray[np.int64], level: float) -> Floats:
     """Return from which of some generations on each curve stays close; NaN if it ends far."""
-    far = curves > CLOSE
+    far = curves > level
     first = curves.shape[1] - far[:, ::-1].argmax(axis=1)  # after the last one that is far
     first = np.where(far.any(axis=1), first, 0)
     return np.where(far[:, -1], np.nan, generations[np.minimum(first, len(generations) - 1)])
 
 
-def table_of_forgetting(numbers: common.Numbers) -> str:
-    """Return in how many races the newest generations were close to perfect, and ended far."""
-    rows = []
-    for learner in LEARNERS:
-        cells = [learner]
-        for schedule in SCHEDULES:
-            curve = numbers[f"{learner}; {schedule} / newest"][of_kind(numbers, "in turns")]
-            found = curve.min(axis=1) <= CLOSE
-            forgot = found & (curve[:, -1] > FAR)
-            cells.append(f"{forgot.sum()} of {found.sum()}")
-        rows.append(cells)
-    return common.markdown(["forgot, of those that found it", *SCHEDULES], rows)
+# How often the rules are wrong
 
 
-def table_of_progress(numbers: common.Numbers, kind: str) -> str:
-    """Return by how much the NashConv of the unit fell since the first response."""
-    worlds, unit = of_kind(numbers, kind), KINDS[kind]
-    first = 1 if unit == "newest" else 0  # the newest are told of generation 0, too
-    falls = {
-        (learner, schedule): curve[worlds, first] - curve[worlds, -1]
-        for learner in LEARNERS
+def without_difference(rows: Mapping[Row, Ends]) -> Iterator[dict[Row, Ends]]:
+    """Yield numbers whose schedules are exchanged by chance within each world: none matters."""
+    rng = np.random.default_rng(0)
+    for _ in range(DRAWS):
+        order = {
+            row[:2]: rng.permuted(np.tile(np.arange(len(SCHEDULES)), (len(worlds), 1)), axis=1).T
+            for row, each in rows.items()
+            for worlds in [each[SPECIALISTS]]
+        }
+        exchanged = {
+            row: np.take_along_axis(np.stack([*each.values()]), order[row[:2]], axis=0)
+            for row, each in rows.items()
+        }
+        yield {row: dict(zip(SCHEDULES, each, strict=True)) for row, each in exchanged.items()}
+
+
+def with_difference(found: Ends, margin: float) -> Iterator[Ends]:
+    """Yield worlds drawn anew from those in which two schedules differ by a margin on average."""
+    rng = np.random.default_rng(0)
+    centred = np.stack([each - each.mean() for each in found.values()])
+    centred[0] += margin
+    for _ in range(DRAWS):
+        drawn = centred[:, rng.integers(centred.shape[1], size=centred.shape[1])]
+        yield dict(zip(SCHEDULES, drawn, strict=True))
+
+
+def table_of_errors(numbers: common.Numbers) -> str:
+    """Return how often each verdict is given though it is wrong."""
+    rows = rows_of(numbers)
+    false = np.zeros(len(MARGINS))
+    for simulated in without_difference(rows):
+        said = np.array([each for _, each in verdicts(simulated).values()])
+        false += (said == "matter").any(axis=0)
+    lines = []
+    for place, margin in enumerate(MARGINS):
+        missed = [
+            np.mean([verdict(each, 1.0, margin) == "do not matter"
+                     for each in with_difference(found, margin)])
+            for found in rows.values()
+            if spread(found) > 0.0
+        ]  # fmt: skip
+        lines.append([
+            str(margin), f"{false[place] / DRAWS:.3f}",
+            f"{np.mean(missed):.3f}; {np.max(missed):.3f}",
+        ])  # fmt: skip
+    heads = ["margin", "any \"matter\" of all comparisons, if none does",
+             "\"do not matter\" if two differ by the margin: mean; worst comparison"]  # fmt: skip
+    return common.markdown(heads, lines)
+
+
+# Tables
+
+
+def counts(values: Floats, level: float) -> str:
+    """Return in how many worlds a number is at most some level."""
+    return f"{(values <= level + 1e-6).sum()} of {len(values)}"
+
+
+def table_of_perfect(numbers: common.Numbers, kind: str) -> str:
+    """Return what each schedule of the perfect learner comes to."""
+    worlds, marks = of_kind(numbers, kind, "newest"), numbers["horizons"][0]
+    mixed = CHOICES[1:]
+    tested = {
+        (schedule, choice): found[schedule] - found[SPECIALISTS]
+        for choice in mixed
+        for found in [ends(numbers, PERFECT, kind, choice)]
         for schedule in SCHEDULES
-        for curve in [numbers[f"{learner}; {schedule} / {unit}"]]
+        if schedule != SPECIALISTS
     }
-    adjusted = common.adjusted(falls)
+    adjusted = common.adjusted(tested)
     rows = []
-    for learner in LEARNERS:
-        cells = [learner]
-        for schedule in SCHEDULES:
-            fall = falls[learner, schedule]
-            told = adjusted[learner, schedule] < common.SIGNIFICANCE
-            cells.append(f"{fall.mean():+.3f}" + "\\*" * told)
+    for schedule in SCHEDULES:
+        least = bounds(numbers, kind, "newest")
+        curve = numbers[f"{PERFECT}; {schedule} / curve"][worlds] - least[:, None]
+        cells = [schedule, common.mean(ends(numbers, PERFECT, kind, "newest")[schedule])]
+        for level in LEVELS:
+            at = [ends(numbers, PERFECT, kind, "newest", k)[schedule] for k in (-2, -1)]
+            cells.append(", ".join(counts(each, level) for each in at))
+        settled = settles(curve, numbers["watched"][0], LEVELS[0])
+        cells.append("never" if np.isnan(settled).all() else
+                     f"{np.nanmedian(settled):.0f} ({np.nanmax(settled):.0f})")  # fmt: skip
+        for choice in mixed:
+            cells.append(common.mean(ends(numbers, PERFECT, kind, choice)[schedule]))
+            if kind == "at once":
+                first = ends(numbers, PERFECT, kind, choice, 0)[schedule]
+                fall = first - ends(numbers, PERFECT, kind, choice)[schedule]
+                cells.append(common.mean(fall, sign="+"))
+                cells.append("-" if schedule == SPECIALISTS else ", ".join([
+                    common.mean(tested[schedule, choice], sign="+"),
+                    common.shown_p(adjusted[schedule, choice]),
+                ]))  # fmt: skip
         rows.append(cells)
-    return common.markdown(["learner", *SCHEDULES], rows)
+    at = f"at {marks[-2]}, {marks[-1]}"
+    heads = ["perfect learner", "newest", *(f"newest within {level} {at}" for level in LEVELS),
+             f"stays within {LEVELS[0]} from, median (last)"]  # fmt: skip
+    for choice in mixed:
+        heads.append(choice)
+        if kind == "at once":
+            heads += [f"fall of the {choice} since 1", f"{choice} minus specialists, Holm"]
+    return common.markdown(heads, rows)
+
+
+def table_of_ladder(numbers: common.Numbers, kind: str, choice: str) -> str:
+    """Return the mean by learner and schedule, and whether schedules matter at both horizons."""
+    marks = numbers["horizons"][0]
+    told = {k: verdicts(rows_of(numbers, k)) for k in (-1, -2)}
+    lines = []
+    for learner in LEARNERS:
+        found = ends(numbers, learner, kind, choice)
+        row = (kind, choice, learner)
+        said = [" / ".join(told[k][row][1]) for k in (-1, -2)]
+        lines.append([
+            learner, *(f"{each.mean():.3f}" for each in found.values()), f"{spread(found):.3f}",
+            common.shown_p(told[-1][row][0]), f"**{said[0]}**", said[1],
+        ])  # fmt: skip
+    margins = " / ".join(map(str, MARGINS))
+    heads = ["learner", *SCHEDULES, "largest difference", "Friedman, Holm",
+             f"schedules, margin {margins}", f"at {marks[-2]}"]  # fmt: skip
+    return common.markdown(heads, lines)
+
+
+def table_of_paths(numbers: common.Numbers, kind: str, choice: str) -> str:
+    """Return how much of the NashConv is lost in states that were met."""
+    lines, parts = [], {}
+    for learner in LEARNERS:
+        found = np.mean([
+            numbers[f"{learner}; {schedule} / {choice}"][of_kind(numbers, kind), -1]
+            for schedule in SCHEDULES
+        ], axis=0)  # fmt: skip
+        parts[learner] = found[:, 0] - found[:, 2], found
+    adjusted = common.adjusted({learner: off for learner, (off, _) in parts.items()})
+    for learner, (off, found) in parts.items():
+        cells = [common.mean(found[:, place]) for place in range(3)]
+        told = f"{common.mean(off, sign='+')}, {common.shown_p(adjusted[learner])}"
+        lines.append([learner, *cells, told])
+    heads = ["learner, mean of schedules", "NashConv", "in states met against any opponent",
+             f"against the {choice}", "the rest, Holm"]  # fmt: skip
+    return common.markdown(heads, lines)
+
+
+def table_of_forgetting(numbers: common.Numbers) -> str:
+    """Return in how many races the newest generations were close to the best, and ended far."""
+    lines = []
+    for kind in KINDS:
+        for learner in LEARNERS:
+            cells = [kind, learner]
+            for schedule in SCHEDULES:
+                curve = numbers[f"{learner}; {schedule} / curve"][of_kind(numbers, kind, "newest")]
+                curve = curve - bounds(numbers, kind, "newest")[:, None]
+                found = curve.min(axis=1) <= LEVELS[0] + 1e-6
+                forgot = found & (curve[:, -1] > LEVELS[1])
+                cells.append(f"{forgot.sum()} of {found.sum()}")
+            lines.append(cells)
+    return common.markdown(["worlds", "learner", *SCHEDULES], lines)
 
 
 def table_of_worlds(numbers: common.Numbers) -> str:
     """Return all worlds in the order in which they were played."""
-    names = ("states", "value", "mixing")
+    names = ("value", "pursuers", "evaders")
     rows = [
-        [world, f"{states:,}", f"{value:.3f}", f"{mixing:.3f}"]
-        for world, states, value, mixing in zip(
-            numbers["world"], *(numbers[name] for name in names), strict=True
+        [world, f"{states:,}", *(f"{each:.3f}" for each in of_world)]
+        for world, states, *of_world in zip(
+            numbers["world"], numbers["states"], *(numbers[name] for name in names), strict=True
         )
     ]
-    return common.markdown(["world", "states", "value", "worth of moving second"], rows)
+    heads = ["world", "states", "value", "best table of the pursuers", "of the evaders"]
+    return common.markdown(heads, rows)
 
 
 def table(numbers: common.Numbers) -> str:
     """Return all tables in Markdown."""
-    counts = {kind: int(of_kind(numbers, kind).sum()) for kind in KINDS}
-    last = numbers["watched"][0, -1]
-    told = "means over worlds, with 95 % intervals in brackets."
-    parts = [f"NashConv after {last} generations; {told}"]
-
-    for kind, unit in KINDS.items():
-        what = "newest generations" if unit == "newest" else "mixtures of the matrix"
+    last = numbers["horizons"][0, -1]
+    parts = [
+        f"NashConv after {last} generations, of newest generations minus the least NashConv of "
+        "tables; means over worlds, with 95 % intervals (Student's t) in brackets."
+    ]
+    for kind, choices in KINDS.items():
         parts += [
-            f"### {counts[kind]} worlds {kind}",
-            f"Perfect learner. The last column compares the {what}.",
+            f"### {int(of_kind(numbers, kind).sum())} worlds {kind}: a perfect learner",
+            f"Newest generations: {int(of_kind(numbers, kind, 'newest').sum())} worlds in which "
+            f"tables can have a NashConv below {1 - ROOM}.",
             table_of_perfect(numbers, kind),
-            f"Learners from perfect to poor; NashConv of the {what}.",
-            table_of_ladder(numbers, kind),
-            f"Fall of it since generation 1, of the {what}; * if told from 0 (Holm, this table).",
-            table_of_progress(numbers, kind),
+        ]
+        for choice in choices:
+            parts += [
+                f"### Worlds {kind}, learners from perfect to poor: {choice}",
+                table_of_ladder(numbers, kind, choice),
+            ]
+        parts += [
+            f"### Worlds {kind}: where the {choices[-1]} loses",
+            "What is left of the NashConv if a team keeps its play only in states that it meets, "
+            "and plays as well as it can in all others. Nothing is subtracted here.",
+            table_of_paths(numbers, kind, choices[-1]),
         ]
     parts += [
         "### Found and forgotten",
-        "Worlds in turns: races whose newest generations came within .01, and ended above .05.",
+        f"Races whose newest generations came within {LEVELS[0]} of the least NashConv of tables, "
+        f"and those of them that ended above {LEVELS[1]}.",
         table_of_forgetting(numbers),
+        "### How often the verdicts on schedules are wrong",
+        f"{DRAWS} simulated sets. For *matter*, schedules are exchanged by chance within each "
+        "world. For *do not matter*, one schedule differs from all others by the margin on "
+        "average, and worlds are drawn anew.",
+        table_of_errors(numbers),
         "### Worlds",
+        "Capture rates: of perfect play, and what the best tables guarantee.",
         table_of_worlds(numbers),
     ]
     return "\n\n".join(parts)
@@ -296,39 +400,42 @@ def table(numbers: common.Numbers) -> str:
 
 # Figure
 
-COLORS = {
-    SPECIALISTS: "tab:red", RETAIN: "tab:orange", GENERALISTS: "tab:blue", PSRO: "tab:green",
+LINES = {
+    SPECIALISTS: ("black", "s"), GENERALISTS: ("tab:blue", "o"), HALL: ("tab:cyan", "^"),
+    PSRO: ("tab:orange", "D"),
 }  # fmt: skip
 
 
 def figure(numbers: common.Numbers) -> Figure:
-    """Draw the mean NashConv of the unit by learner, one line for each schedule."""
-    found = Figure(figsize=(10, 4), layout="constrained")
-    axes = found.subplots(1, 2, sharey=True)
-    told = verdicts(numbers)
-    for axis, (kind, unit) in zip(axes, KINDS.items(), strict=True):
+    """Draw the mean NashConv by learner, one line for each schedule."""
+    panels = [(kind, choice) for kind, choices in KINDS.items() for choice in choices]
+    found = Figure(figsize=(12, 4), layout="constrained")
+    axes = found.subplots(1, len(panels), sharey=True)
+    told = verdicts(rows_of(numbers))
+    for axis, (kind, choice) in zip(axes, panels, strict=True):
         places = np.arange(len(LEARNERS))
         for schedule in SCHEDULES:
-            means = [ends(numbers, learner, kind)[schedule].mean() for learner in LEARNERS]
-            main = schedule in COLORS
+            means = [ends(numbers, each, kind, choice)[schedule].mean() for each in LEARNERS]
+            main = schedule in LINES
+            color, marker = LINES.get(schedule, ("0.75", "."))
             axis.plot(
-                places, means, marker="o", markersize=5 if main else 3,
-                color=COLORS.get(schedule, "0.75"), linewidth=2 if main else 1,
-                zorder=3 if main else 2, label=schedule if main else None,
+                places, means, marker=marker, markersize=5, color=color,
+                linewidth=1.8 if main else 1, zorder=3 if main else 2,
+                label=schedule if main else None,
             )  # fmt: skip
         for place, learner in enumerate(LEARNERS):
-            if told[learner, kind][2] == "matter":
-                axis.axvspan(place - 0.5, place + 0.5, color="0.94", zorder=0, linewidth=0)
-        count = int(of_kind(numbers, kind).sum())
-        what = "newest generation" if unit == "newest" else "mixture of all generations"
-        axis.set_title(f"{count} worlds {kind}: {what}", fontsize=10)
-        axis.set_xticks(places, [*LEARNERS], rotation=40, ha="right", fontsize=8)
-        axis.set(ylim=(-0.02, 1.03))
+            if told[kind, choice, learner][1][-1] == "matter":
+                axis.axvspan(place - 0.5, place + 0.5, color="0.93", zorder=0, linewidth=0)
+        count = int(of_kind(numbers, kind, choice).sum())
+        least = " minus bound" if (kind, choice) == ("at once", "newest") else ""
+        axis.set_title(f"{count} worlds {kind}:\n{choice}{least}", fontsize=10)
+        axis.set_xticks(places, [*LEARNERS], rotation=45, ha="right", fontsize=8)
+        axis.set(ylim=(-0.02, 1.0))
         axis.spines[["top", "right"]].set_visible(False)
     axes[0].set_ylabel("NashConv (0: perfect play)")
-    axes[0].plot([], [], color="0.75", marker="o", markersize=3, label="three other schedules")
-    axes[0].plot([], [], color="0.9", linewidth=8, label="here schedules matter")
-    axes[0].legend(frameon=False, fontsize=8, loc="lower right")
+    axes[0].plot([], [], color="0.75", marker=".", label="three other schedules")
+    axes[0].plot([], [], color="0.88", linewidth=8, label=f"differ by {MARGINS[-1]} or more")
+    axes[0].legend(frameon=False, fontsize=8, loc="upper left")
     return found
 
 

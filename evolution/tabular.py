@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from itertools import product
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -25,7 +26,7 @@ from matrixworld.coevolution import TEAMS, Team
 from matrixworld.coevolution.types import other
 from matrixworld.solver import States, solve
 
-CHOICES = ("newest", "chosen", "average", "mixture")
+CHOICES = ("newest", "average", "mixture")
 """What of all generations of a race is told of: `Race.chosen`."""
 Table: TypeAlias = list[NDArray[np.int16]]
 """A policy: by turn, the joint action (rounds, S). The first axis is the rounds left, minus 1."""
@@ -34,6 +35,8 @@ Play: TypeAlias = list[NDArray[np.float64]]
 Floats: TypeAlias = NDArray[np.float64]
 TIE = 1e-9
 """Values closer than this are equal."""
+RIDGE, EQUAL = 1e-6, 1e-6
+"""What is added to squares of features to fit a rating, and ratings that count as equal."""
 
 
 # Worlds
@@ -119,15 +122,66 @@ class Game:
         """The capture rate of perfect play."""
         return solve(self.states).value
 
+    @cached_property
+    def of_tables(self) -> tuple[float, float]:
+        """The best that tables guarantee: captures of pursuers, and captures that evaders concede.
+
+        Whoever answers a table knows its action in each state, as if it moved second: no table of
+        the pursuers guarantees more than the first number, none of the evaders concedes less than
+        the second, and the actions chosen here are tables that do so in all states. So the NashConv
+        of a pair of tables is at least `mixing`, their difference, which some pair has. It is 0
+        where agents or teams take turns.
+        """
+        first, second = self.payoffs, self.payoffs
+        for _ in range(self.rounds):
+            for succ in reversed(self.succ):
+                first = first[succ].min(axis=2).max(axis=1)
+                second = second[succ].max(axis=1).min(axis=1)
+        return float(first[self.starts].mean()), float(second[self.starts].mean())
+
     @property
     def mixing(self) -> float:
         """How much more is captured if pursuers move second, in all rounds, than if evaders do."""
-        second, first = self.payoffs, self.payoffs
-        for _ in range(self.rounds):
-            for succ in reversed(self.succ):
-                second = second[succ].max(axis=1).min(axis=1)
-                first = first[succ].min(axis=2).max(axis=1)
-        return float(second[self.starts].mean() - first[self.starts].mean())
+        return self.of_tables[1] - self.of_tables[0]
+
+    @cached_property
+    def features(self) -> list[Floats]:
+        """What a linear rating knows of each state, by turn (S, features): counts.
+
+        Of the agents of each team by cell, of pairs of a pursuer and an evader by the rows and
+        columns between them, and of captured evaders. Agents that are gone are in no count.
+        """
+        rows, cols, first = self.config.rows, self.config.cols, self.config.n_pursuers
+        found = []
+        for turn, succ in enumerate(self.succ):
+            cells, counts = self.states.cells(turn), np.zeros((3, len(succ), rows * cols))
+
+            def count(kind: int, there: NDArray[np.bool_], what: NDArray[Any]) -> None:
+                np.add.at(counts[kind], (np.flatnonzero(there), what[there]), 1.0)  # noqa: B023
+
+            for agent, at in enumerate(cells.T):
+                count(int(agent >= first), at >= 0, at)
+            for p, e in product(cells.T[:first], cells.T[first:]):
+                apart = abs(p // cols - e // cols) * cols + abs(p % cols - e % cols)
+                count(2, (p >= 0) & (e >= 0), apart)
+            captured = self.states.captured(turn).sum(axis=1, keepdims=True)
+            found.append(np.hstack([*counts, captured]))
+        return found
+
+    @cached_property
+    def prospects(self) -> dict[tuple[Team, int], Floats]:
+        """What joint actions of a team lead to in a turn: features (S, actions, features).
+
+        Means over all actions of the other team, minus the mean over those of the team.
+        """
+        found = {}
+        for turn, succ in enumerate(self.succ):
+            after = self.features[(turn + 1) % len(self.succ)][succ]
+            for axis, team in enumerate(TEAMS):
+                if self.acts(turn, team):
+                    means = after.mean(axis=2 - axis)
+                    found[team, turn] = means - means.mean(axis=1, keepdims=True)
+        return found
 
     def shapes(self, team: Team) -> Iterator[tuple[int, int, int]]:
         """Yield the rounds, states and joint actions of a team in each turn."""
@@ -144,8 +198,11 @@ class Game:
     def mixed(self, team: Team, tables: list[Table], weights: Floats) -> Play:
         """Return the mixture of tables, which draws one of them in every turn anew."""
         play = [np.zeros(shape) for shape in self.shapes(team)]
-        for weight, table in zip(weights, tables, strict=True):
-            if weight > 0.0:
+        total: dict[int, float] = {}  # a table that comes again is the same object
+        for table, weight in zip(tables, weights, strict=True):
+            total[id(table)] = total.get(id(table), 0.0) + float(weight)
+        for table in {id(table): table for table in tables}.values():
+            if (weight := total[id(table)]) > 0.0:
                 for shares, actions in zip(play, table, strict=True):
                     places = np.arange(actions.size) * shares.shape[2] + actions.ravel()
                     shares.reshape(-1)[places] += weight
@@ -211,29 +268,65 @@ class Game:
                 now = np.bincount(after.ravel(), shares.ravel(), count)
         return found
 
+    def met(self, pursuers: Play, evaders: Play) -> list[NDArray[np.bool_]]:
+        """Return which states random policies can reach, by turn (rounds, S)."""
+        found = [np.zeros((self.rounds, len(succ)), np.bool_) for succ in self.succ]
+        now = np.unique(self.starts)
+        for left in reversed(range(self.rounds)):
+            for turn, succ in enumerate(self.succ):
+                found[turn][left, now] = True
+                p, e = (play[turn][left, now] > 0.0 for play in (pursuers, evaders))
+                now = np.unique(succ[now][p[:, :, None] & e[:, None]])
+        return found
+
     def scores(self, pursuers: list[Table], evaders: list[Table]) -> Floats:
         """Return the exact capture rates (n, m) of tables that meet each other."""
-        first = [np.stack(each)[:, None] for each in zip(*pursuers, strict=True)]
-        second = [np.stack(each)[None] for each in zip(*evaders, strict=True)]
-        return self.played(first, second, self.starts)
+        if not pursuers or not evaders:
+            return np.empty((len(pursuers), len(evaders)))
+        rows, columns = ({id(each): each for each in of} for of in (pursuers, evaders))
+        found = self._played([*rows.values()], [*columns.values()])
+        at = [
+            [[*of].index(id(each)) for each in tables]
+            for of, tables in ((rows, pursuers), (columns, evaders))
+        ]
+        return found[np.ix_(*at)]
 
-    def played(
-        self, first: list[NDArray[Any]], second: list[NDArray[Any]], starts: NDArray[np.intp]
-    ) -> Floats:
-        """Return the mean capture rates of tables (n, m, rounds, S), one episode a start."""
-        n, m = first[0].shape[0], second[0].shape[1]
-        now = np.broadcast_to(starts, (n, m, len(starts)))
+    def _played(self, pursuers: list[Table], evaders: list[Table]) -> Floats:
+        first, second = (
+            [np.stack(each) for each in zip(*tables, strict=True)] for tables in (pursuers, evaders)
+        )
+        n, m = len(pursuers), len(evaders)
+        now = np.broadcast_to(self.starts, (n, m, len(self.starts)))
         rows, columns = np.arange(n)[:, None, None], np.arange(m)[None, :, None]
         for left in reversed(range(self.rounds)):
             for turn, succ in enumerate(self.succ):
-                p = first[turn][rows, 0, left, now] if self.acts(turn, "pursuer") else 0
-                e = second[turn][0, columns, left, now] if self.acts(turn, "evader") else 0
-                now = succ[now, p, e]
-        return np.asarray(self.payoffs[now].mean(axis=2))
+                count, _, actions = succ.shape
+                place = now * (succ.shape[1] * actions)
+                if self.acts(turn, "pursuer"):
+                    place += first[turn][:, left].take(now + rows * count).astype(np.intp) * actions
+                if self.acts(turn, "evader"):
+                    place += second[turn][:, left].take(now + columns * count)
+                now = succ.take(place)
+        return np.asarray(self.payoffs.take(now).mean(axis=2))
 
-    def guarantee(self, team: Team, play: Play) -> float:
-        """Return the capture rate of a team's play against the best response."""
-        return self.respond(other(team), play)[1]
+    def guarantee(
+        self, team: Team, play: Play, kept: list[NDArray[np.bool_]] | None = None
+    ) -> float:
+        """Return the capture rate of a team's play against the best response.
+
+        If some states are `kept`, by turn (rounds, S), it plays there what it plays, and in all
+        others as well as it can then. It guarantees no less than by its own play.
+        """
+        if kept is None:
+            return self.respond(other(team), play)[1]
+        after, rival = self.payoffs, other(team)
+        for left in range(self.rounds):
+            for turn in reversed(range(len(self.succ))):
+                free = self.states.core.backup(turn, after, None, None, False, 1, None)[0]
+                gains = self.gains(turn, left, after, rival, play)
+                own = gains.max(axis=1) if rival == "pursuer" else gains.min(axis=1)
+                after = np.where(kept[turn][left], own, free)
+        return float(after[self.starts].mean())
 
 
 # Schedules: with which weights the next response of a team meets the past policies of the other
@@ -359,11 +452,10 @@ def on_the_way(task: Task) -> Table:
     return task.changed(task.best)
 
 
-def sampled(task: Task, count: int) -> Table:
-    """Return the best response, on the way, to some opponents drawn by their weights."""
-    drawn = task.rng.choice(len(task.past), count, p=task.weights)
-    shares = np.bincount(drawn, minlength=len(task.past)) / count
-    return on_the_way(replace(task, weights=shares))
+def against_one(task: Task) -> Table:
+    """Return the best response, on the way, to one opponent drawn by the weights."""
+    drawn = task.rng.choice(len(task.past), p=task.weights)
+    return on_the_way(replace(task, weights=np.eye(len(task.past))[drawn]))
 
 
 def noisy(task: Task, share: float) -> Table:
@@ -402,44 +494,50 @@ def improved(task: Task) -> Table:
     return better
 
 
-def best_of(task: Task, candidates: int, opponents: int = 4, starts: int = 64) -> Table:
-    """Return the best of some random changes of the own table, itself included.
+def rated(task: Task) -> Table:
+    """Return the table of a linear rating: it plays in all states as it learned in some.
 
-    Opponents are drawn by their weights and meet all candidates from some starts. A candidate
-    changes each action with a probability between .001 and .1, drawn evenly in its logarithm.
+    It rates the features of the states that an action leads to (`Game.prospects`), and takes the
+    best rated one in each state, in all rounds. One rating for each turn of a round is fitted by
+    least squares to what each action is worth if best responses follow, in the states that these
+    meet.
     """
-    game, rng = task.game, task.rng
-    rates = np.append(0.0, 10.0 ** rng.uniform(-3, -1, candidates - 1))
-    tried = [np.repeat(each[None], candidates, axis=0) for each in task.own]
-    for each, (rounds, count, actions) in zip(tried, game.shapes(task.team), strict=True):
-        if actions > 1:
-            for place, rate in enumerate(rates):
-                n = rng.binomial(rounds * count, rate)
-                where = rng.integers(rounds * count, size=n)
-                each[place].reshape(-1)[where] = rng.integers(actions, size=n)
-    drawn = rng.choice(len(task.past), opponents, p=task.weights)
-    rivals = [np.stack([task.past[k][turn] for k in drawn]) for turn in range(len(task.own))]
-    begun = rng.choice(game.starts, min(starts, len(game.starts)), replace=False)
-    sides = (tried, rivals) if task.team == "pursuer" else (rivals, tried)
-    rates = game.played(
-        [each[:, None] for each in sides[0]], [each[None] for each in sides[1]], begun
-    )
-    mean = rates.mean(axis=1) if task.team == "pursuer" else 1.0 - rates.mean(axis=0)
-    best = int(mean.argmax())
-    return [each[best] for each in tried]
+    game, team, opponents = task.game, task.team, task.opponents
+    sign, after = (1.0 if team == "pursuer" else -1.0), game.payoffs
+    met = game.reached(team, task.best, opponents)
+    worth = [np.zeros(shape[1:]) for shape in game.shapes(team)]
+    for left in range(game.rounds):
+        for turn in reversed(range(len(game.succ))):
+            if not game.acts(turn, team):
+                after = game.averaged(turn, left, after, opponents, other(team))
+                continue
+            gains = sign * game.gains(turn, left, after, team, opponents)
+            worth[turn] += met[turn][left][:, None] * gains
+            after = sign * gains.max(axis=1)
+    table = [each.copy() for each in task.own]
+    for turn, sums in enumerate(worth):
+        if game.acts(turn, team):
+            weights, features = met[turn].sum(axis=0), game.prospects[team, turn]
+            known = np.flatnonzero(weights)
+            roots = np.sqrt(weights[known])[:, None]
+            seen = (features[known] * roots[:, :, None]).reshape(-1, features.shape[2])
+            squares = seen.T @ seen + RIDGE * np.eye(seen.shape[1])
+            rating = np.linalg.solve(squares, seen.T @ (sums[known] / roots).ravel())
+            ratings = features @ rating
+            best = ratings >= ratings.max(axis=1, keepdims=True) - EQUAL
+            stays = best[np.arange(len(best)), table[turn]]
+            table[turn] = np.where(stays, table[turn], best.argmax(axis=1)).astype(np.int16)
+    return table
 
 
 LEARNERS: Mapping[str, Learner] = {
     "perfect": perfect,
     "perfect where it plays": on_the_way,
-    "against 3 of the past": partial(sampled, count=3),
-    "against 1 of the past": partial(sampled, count=1),
+    "against 1 of the past": against_one,
     "10 % wrong": partial(noisy, share=0.1),
-    "30 % wrong": partial(noisy, share=0.3),
-    "10 % of the changes": partial(slow, share=0.1),
-    "2 % of the changes": partial(slow, share=0.02),
+    "linear rating": rated,
     "improves what it meets": improved,
-    "best of 32 changes": partial(best_of, candidates=32),
+    "10 % of the changes": partial(slow, share=0.1),
 }
 
 
@@ -453,7 +551,8 @@ class Race:
         self.game, self.schedule, self.learner = game, schedule, learner
         first, self.rng = (np.random.default_rng([seed, k]) for k in range(2))
         self.tables: dict[Team, list[Table]] = {team: [game.random(team, first)] for team in TEAMS}
-        self.rates: dict[Team, Floats] = {team: np.empty((0, 0)) for team in TEAMS}
+        self._rates: dict[bool, Floats] = {}
+        self._known: dict[bytes, Table] = {}
 
     def opponents(self, team: Team) -> list[Table]:
         """Return the past policies that a team meets."""
@@ -461,19 +560,22 @@ class Race:
 
     def scores(self, team: Team) -> Floats:
         """Return the scores of a team's generations against the past policies that it meets."""
-        own, met, known = self.tables[team], self.opponents(team), self.rates[team]
+        own, met, first = self.tables[team], self.opponents(team), team == "pursuer"
+        pursuers, evaders = (own, met) if first else (met, own)
+        # In a race both teams have the same matrix; where opponents are replayed each has its own.
+        key = first or type(self) is Race
+        known = self._rates.get(key, np.empty((0, 0)))
         rows, columns = known.shape
-        known = np.vstack([known, self._scores(team, own[rows:], met[:columns])])
-        known = np.hstack([known, self._scores(team, own, met[columns:])])
-        self.rates[team] = known
-        return known
+        known = np.vstack([known, self.game.scores(pursuers[rows:], evaders[:columns])])
+        known = np.hstack([known, self.game.scores(pursuers, evaders[columns:])])
+        self._rates[key] = known
+        return known if first else 1.0 - known.T
 
-    def _scores(self, team: Team, own: list[Table], met: list[Table]) -> Floats:
-        if not own or not met:
-            return np.empty((len(own), len(met)))
-        if team == "pursuer":
-            return self.game.scores(own, met)
-        return 1.0 - self.game.scores(met, own).T
+    def _mean(self, team: Team, table: Table) -> float:
+        own, met = [table], self.opponents(team)
+        sides = (own, met) if team == "pursuer" else (met, own)
+        rate = float(self.game.scores(*sides).mean())
+        return rate if team == "pursuer" else 1.0 - rate
 
     def go(self) -> None:
         """Add a generation: pursuers answer the evaders so far, then evaders the pursuers."""
@@ -482,9 +584,11 @@ class Race:
             weights = self.schedule.meets(team)(len(past), partial(self.scores, team))
             answer = self.learner(Task(self.game, team, own[-1], past, weights, self.rng))
             if self.schedule.keeps:
-                new, old = self._scores(team, [answer, own[-1]], past).mean(axis=1)
+                new, old = (self._mean(team, each) for each in (answer, own[-1]))
                 answer = answer if new >= old - TIE else own[-1]
-            own.append(answer)
+            # What comes again is the same object: it is played and mixed only once.
+            key = team.encode() + b"".join(each.tobytes() for each in answer)
+            own.append(self._known.setdefault(key, answer))
 
     def run(self, generations: int) -> Race:
         """Add so many generations; return the race."""
@@ -492,21 +596,39 @@ class Race:
             self.go()
         return self
 
-    def chosen(self, team: Team, choice: str) -> Play:
-        """Return the newest generation, the one of the highest mean score, or a mixture of all."""
-        count = len(self.tables[team])
-        if choice == "newest":
-            weights = np.eye(count)[-1]
-        elif choice == "average":
-            weights = np.full(count, 1.0 / count)
-        elif choice == "mixture":
-            weights = equilibrium(self.scores(team))[0]
-        else:
-            means = self.scores(team).mean(axis=1)
-            weights = np.eye(count)[np.flatnonzero(means >= means.max() - TIE)[-1]]
-        return self.game.mixed(team, self.tables[team], weights)
+    def shares(self, team: Team, choice: str) -> tuple[Floats, Floats]:
+        """Return how often a choice takes each generation of a team, and each of its opponents."""
+        if choice == "mixture":
+            return equilibrium(self.scores(team))
+        weights = {"newest": newest, "average": every}[choice]
+        known = partial(self.scores, team)
+        return weights(len(self.tables[team]), known), weights(len(self.opponents(team)), known)
 
-    def nash_conv(self, choice: str = "newest") -> float:
-        """Return the NashConv of a choice: what the best responses of both teams gain."""
-        p, e = (self.game.guarantee(team, self.chosen(team, choice)) for team in TEAMS)
+    def chosen(self, team: Team, choice: str) -> Play:
+        """Return the newest generation, or a mixture of all."""
+        return self.game.mixed(team, self.tables[team], self.shares(team, choice)[0])
+
+    def nash_convs(self, choice: str) -> tuple[float, float, float]:
+        """Return the NashConv of a choice, and how much of it is lost in states that were met.
+
+        The first is what the best responses of both teams gain. The others are what is left of it
+        if teams keep their play only in states that it can reach against all their opponents so
+        far, or against the same choice of these, and play as well as they can in all other states.
+        """
+        game, found = self.game, []
+        for team in TEAMS:
+            own, same = self.shares(team, choice)
+            play, rivals = game.mixed(team, self.tables[team], own), self.opponents(team)
+            guarantees = [game.guarantee(team, play)]
+            for shares in (np.full(len(rivals), 1.0 / len(rivals)), same):
+                met = game.mixed(other(team), rivals, shares)
+                kept = game.met(*((play, met) if team == "pursuer" else (met, play)))
+                guarantees.append(game.guarantee(team, play, kept))
+            found.append(guarantees)
+        total, against_all, against_same = (e - p for p, e in zip(*found, strict=True))
+        return total, against_all, against_same
+
+    def nash_conv(self) -> float:
+        """Return the NashConv of the newest generations."""
+        p, e = (self.game.guarantee(team, self.chosen(team, "newest")) for team in TEAMS)
         return e - p
