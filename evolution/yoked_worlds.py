@@ -1,44 +1,35 @@
 """Does an arms race need an answering opponent? Races of tables and yoked ones, in 30 worlds.
 
-    python evolution/yoked_worlds.py             30 worlds, 20 seeds of each race, ten minutes
+    python evolution/yoked_worlds.py             30 worlds, five seeds of each race, ten minutes
     python evolution/yoked_worlds.py --quick     four small worlds and three seeds, some seconds
 
 In a yoked race each team meets the opponents of the race of the next seed, in their order: they
 change as in a race, but do not answer. `yoked_races.py` finds no difference in one solved world, by
-one learner. Here are the 30 worlds of `perfect_learners.py`, whose guarantees are exact, four
-learners and two schedules (`tabular.py`), 32 generations, 20 seeds. Worlds are played in the order
-in which they were drawn; numbers are kept by world, and an interrupted script goes on.
+one learner. Here are the 30 worlds of `perfect_learners.py`, whose guarantees are exact, five
+learners and two schedules (`tabular.py`). Worlds are played in the order in which they were drawn;
+numbers are kept by world, and an interrupted script goes on.
 
 *Answers pay* is how much lower the NashConv of the race is than that of the yoked race with the
-same first tables and seed. The unit is the newest generation where teams or agents take turns, and
-the equilibrium mixture of all generations, in the scores against those met, where all move at once.
+same first tables and seed.
 
-Decided before the worlds were played:
-
-1.  Over the worlds of a kind, by learner and schedule: answers *pay* or *cost* if the mean over
-    worlds is told from 0 (Student's t, Holm over all rows). *Alike* if the whole 95 % interval lies
-    within .05. Else the table says: cannot tell.
-2.  In single worlds: the same over seeds, Holm over all worlds of a row. Neighbours in the ring of
-    seeds share a race, so that these differences are not quite independent.
-3.  Does a property of the exact game predict in which world answers pay? Spearman's rank
-    correlation over all worlds of a learner and schedule with each of `PROPERTIES`, Holm over all
-    of them.
+What is measured, claimed and tested was fixed before the worlds were played:
+results/yoked_worlds/registered.md.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
-from scipy import stats
 
 import common
-from matrixworld.analysis import interval_over_runs
-from matrixworld.coevolution import TEAMS, Team
+from matrixworld.coevolution import Team
 from matrixworld.coevolution.types import other
-from perfect_learners import KINDS, MARGIN, of_kind, play_worlds
+from perfect_learners import DRAWS, FIRST_SEED, KINDS, MARGINS, farthest, of_kind, play_worlds
 from tabular import (
+    CHOICES,
     GENERALISTS,
     LEARNERS,
     SCHEDULES,
@@ -50,21 +41,16 @@ from tabular import (
     config_of,
 )
 
-SEEDS, GENERATIONS = {False: 20, True: 3}, {False: 32, True: 4}
+SEEDS, HORIZONS = {False: 5, True: 3}, {False: (8, 32), True: (2, 4)}
 """Full length, or with ``--quick``."""
-LEARNS = ("perfect", "perfect where it plays", "10 % of the changes", "improves what it meets")
+LEARNS = (
+    "perfect", "perfect where it plays", "linear rating", "improves what it meets",
+    "10 % of the changes",
+)  # fmt: skip
 MEETS = (SPECIALISTS, GENERALISTS)
-KIND = [f"{learner}; {schedule}" for learner in LEARNS for schedule in MEETS]
-SAMPLE = 32
-"""Tables of each team, drawn by chance, from which spread and intransitivity are computed."""
-PROPERTIES = {
-    "value": "capture rate of perfect play",
-    "mixing": "worth of moving second",
-    "depth": "turns of an episode",
-    "states": "states",
-    "spread": "standard deviation of the scores of random tables",
-    "intransitivity": "share of the variance of best responses that is no team's strength",
-}
+RACES = [f"{learner}; {schedule}" for learner in LEARNS for schedule in MEETS]
+PARTS = ("all states", "met against any", "met against the same")
+"""Where a NashConv is lost: `Race.nash_convs`."""
 
 
 class YokedRace(Race):
@@ -79,186 +65,231 @@ class YokedRace(Race):
         return self.replayed.tables[other(team)][: len(self.tables[other(team)])]
 
 
-def properties(game: Game) -> dict[str, float]:
-    """Return properties of the exact game; `PROPERTIES` says what they are."""
-    rng = np.random.default_rng(0)
-    drawn = {team: [game.random(team, rng) for _ in range(SAMPLE)] for team in TEAMS}
-    answers = {
-        team: [
-            game.respond(team, game.mixed(other(team), [each], np.ones(1)))[0]
-            for each in drawn[other(team)]
-        ]
-        for team in TEAMS
-    }
-    return {
-        "value": game.value, "mixing": game.mixing, "depth": game.rounds * len(game.succ),
-        "states": game.states.total,
-        "spread": float(game.scores(drawn["pursuer"], drawn["evader"]).std()),
-        "intransitivity": interaction(game.scores(answers["pursuer"], answers["evader"])),
-    }  # fmt: skip
-
-
-def interaction(matrix: Floats) -> float:
-    """Return the share of the variance of a matrix that rows and columns do not explain."""
-    rows, columns = matrix.mean(axis=1, keepdims=True), matrix.mean(axis=0, keepdims=True)
-    rest = matrix - rows - columns + matrix.mean()
-    return float(rest.var() / matrix.var()) if matrix.var() > 1e-12 else 0.0
-
-
-def shortfalls(race: Race, unit: str) -> list[float]:
-    """Return by how much what the unit of each team guarantees falls short of the value."""
-    value = race.game.value
-    pursuers, evaders = (race.game.guarantee(team, race.chosen(team, unit)) for team in TEAMS)
-    return [round(value - pursuers, 6), round(evaders - value, 6)]
-
-
-def measured(world: str, quick: bool) -> dict[str, Any]:
-    """Return the properties of a world, and the shortfalls of all races in it."""
-    game = Game(config_of(world))
-    unit = KINDS["at once" if game.together else "in turns"]
-    found: dict[str, Any] = {"world": world, "together": game.together, **properties(game)}
-    for learner in LEARNS:
-        for schedule in MEETS:
-            settings = SCHEDULES[schedule], LEARNERS[learner]
-            races = [
-                Race(game, *settings, seed).run(GENERATIONS[quick]) for seed in range(SEEDS[quick])
-            ]
-            yoked = [
-                YokedRace(replayed, game, *settings, seed).run(GENERATIONS[quick])
-                for seed, replayed in enumerate([*races[1:], races[0]])
-            ]
-            kind = f"{learner}; {schedule}"
-            for name, of_name in (("race", races), ("yoked", yoked)):
-                found[f"{kind} / {name}"] = [shortfalls(each, unit) for each in of_name]
+def played(race: Race, horizons: tuple[int, ...]) -> list[Any]:
+    """Play a race; return its NashConvs at some horizons: (horizons, choices, parts)."""
+    found, before = [], 0
+    for horizon in horizons:
+        race.run(horizon - before)
+        before = horizon
+        found.append([np.round(race.nash_convs(choice), 4).tolist() for choice in CHOICES])
     return found
 
 
-# Tables
+def measured(world: str, quick: bool) -> dict[str, Any]:
+    """Return the NashConvs of all races in a world: (seeds, horizons, choices, parts) each."""
+    game, horizons = Game(config_of(world)), HORIZONS[quick]
+    captures, concedes = game.of_tables
+    found: dict[str, Any] = {
+        "world": world, "together": game.together, "states": game.states.total,
+        "pursuers": captures, "evaders": concedes, "horizons": horizons,
+    }  # fmt: skip
+    for learner in LEARNS:
+        for schedule in MEETS:
+            races = [
+                Race(game, SCHEDULES[schedule], LEARNERS[learner], FIRST_SEED + seed)
+                for seed in range(SEEDS[quick])
+            ]
+            kind = f"{learner}; {schedule}"
+            found[f"{kind} / race"] = [played(race, horizons) for race in races]
+            found[f"{kind} / yoked"] = [
+                played(
+                    YokedRace(replayed, game, race.schedule, race.learner, FIRST_SEED + seed),
+                    horizons,
+                )
+                for seed, (race, replayed) in enumerate(
+                    zip(races, [*races[1:], races[0]], strict=True)
+                )
+            ]
+    return found
 
 
-def pay(numbers: common.Numbers, kind: str) -> Floats:
-    """Return how much lower the NashConv of races is than that of yoked ones, (worlds, seeds)."""
-    yoked, race = (numbers[f"{kind} / {name}"].sum(axis=2) for name in ("yoked", "race"))
-    return np.asarray(yoked - race)
+# What is said
+
+Row = tuple[str, str, str]
+"""A kind of worlds, a choice, and a kind of race."""
 
 
-def verdict(values: Floats, p: float) -> str:
+def means(numbers: common.Numbers, row: Row, name: str, horizon: int, part: int = 0) -> Floats:
+    """Return the NashConv of races or yoked ones in each world, means over seeds (worlds,)."""
+    kind, choice, race = row
+    found = numbers[f"{race} / {name}"][of_kind(numbers, kind, choice)]
+    return np.asarray(found[:, :, horizon, CHOICES.index(choice), part].mean(axis=1))
+
+
+def pay(numbers: common.Numbers, row: Row, horizon: int = -1, part: int = 0) -> Floats:
+    """Return how much lower the NashConv of races is than that of yoked ones (worlds,)."""
+    yoked, race = (means(numbers, row, name, horizon, part) for name in ("yoked", "race"))
+    return np.round(yoked - race, 6)
+
+
+def rows_of(numbers: common.Numbers, horizon: int = -1) -> dict[Row, Floats]:
+    """Return what answers bring, of all comparisons."""
+    rows = [(kind, choice, race) for kind, of in KINDS.items() for choice in of for race in RACES]
+    return {row: pay(numbers, row, horizon) for row in rows}
+
+
+def verdict(values: Floats, p: float, margin: float) -> str:
     """Return what answers do, by the mean over worlds, its interval and its adjusted p-value."""
-    found = interval_over_runs(values)
-    if p < common.SIGNIFICANCE:
-        return "pay" if found.value > 0.0 else "cost"
-    ends = [abs(each) for each in (found.low, found.high, found.value) if each is not None]
-    return "alike" if max(ends) < MARGIN else "cannot tell"
+    if p < common.SIGNIFICANCE and abs(values.mean()) >= margin:
+        return "pay" if values.mean() > 0.0 else "cost"
+    return "alike" if farthest(values) < margin else "cannot tell"
 
 
-def single_worlds(values: Floats) -> tuple[int, int]:
-    """Return in how many worlds (worlds, seeds) answers pay, and in how many they cost."""
-    told = common.holm([common.p_value(np.round(each, 6)) for each in values]) < common.SIGNIFICANCE
-    means = values.mean(axis=1)
-    return int((told & (means > 0)).sum()), int((told & (means < 0)).sum())
-
-
-def table_of_pay(numbers: common.Numbers) -> str:
-    """Return what answers bring, by kind of world, learner and schedule."""
-    keys = [(of, kind) for of in KINDS for kind in KIND]
-    values = {(of, kind): pay(numbers, kind)[of_kind(numbers, of)] for of, kind in keys}
-    adjusted = common.adjusted({key: each.mean(axis=1) for key, each in values.items()})
-    rows = []
-    for (of, kind), each in values.items():
-        means = [
-            f"{numbers[f'{kind} / {name}'][of_kind(numbers, of)].sum(axis=2).mean():.3f}"
-            for name in ("race", "yoked")
-        ]
-        of_worlds, p = each.mean(axis=1), adjusted[of, kind]
-        more, less = single_worlds(each)
-        rows.append([
-            of, *kind.split("; "), *means, common.mean(of_worlds, sign="+"), common.shown_p(p),
-            f"**{verdict(of_worlds, p)}**", f"{more}, {less} of {len(each)}",
-        ])  # fmt: skip
-    heads = ["worlds", "learner", "schedule", "NashConv of the race", "of the yoked race",
-             "answers pay", "Holm", "", "worlds in which they pay, cost"]  # fmt: skip
-    return common.markdown(heads, rows).replace("|  |", "| |")
-
-
-def correlations(numbers: common.Numbers) -> dict[tuple[str, str], tuple[float, float]]:
-    """Return rank correlations of what answers bring with properties, and p-values (Holm)."""
-    found = {}
-    for kind in KIND:
-        brings = np.round(pay(numbers, kind).mean(axis=1), 6)
-        for name in PROPERTIES:
-            flat = np.ptp(brings) == 0.0 or np.ptp(numbers[name]) == 0.0
-            tested = (0.0, 1.0) if flat else stats.spearmanr(numbers[name], brings)
-            found[kind, name] = float(tested[0]), float(tested[1])
-    adjusted = common.holm([p for _, p in found.values()])
+def verdicts(rows: Mapping[Row, Floats]) -> dict[Row, tuple[float, list[str]]]:
+    """Return the p-value of each comparison, adjusted for all, and the verdict at each margin."""
+    adjusted = common.adjusted(rows)
     return {
-        key: (rank, float(p)) for (key, (rank, _)), p in zip(found.items(), adjusted, strict=True)
+        row: (adjusted[row], [verdict(each, adjusted[row], margin) for margin in MARGINS])
+        for row, each in rows.items()
     }
 
 
-def table_of_properties(numbers: common.Numbers) -> str:
-    """Return which property of the game says where answers pay."""
-    found = correlations(numbers)
-    rows = [
+def table_of_pay(numbers: common.Numbers, kind: str, choice: str) -> str:
+    """Return what answers bring, by learner and schedule."""
+    told = {horizon: verdicts(rows_of(numbers, horizon)) for horizon in (-1, -2)}
+    lines = []
+    for race in RACES:
+        row = (kind, choice, race)
+        found = pay(numbers, row)
+        p, said = told[-1][row]
+        several = ", ".join(
+            f"{(found > margin).sum()} / {(found < -margin).sum()}" for margin in MARGINS
+        )
+        lines.append([
+            *race.split("; "),
+            *(f"{means(numbers, row, name, -1).mean():.3f}" for name in ("race", "yoked")),
+            common.mean(found, sign="+"), common.shown_p(p), f"**{' / '.join(said)}**",
+            f"{common.mean(pay(numbers, row, -2), sign='+')}: {' / '.join(told[-2][row][1])}",
+            several,
+        ])  # fmt: skip
+    early, _ = numbers["horizons"][0]
+    margins = " / ".join(map(str, MARGINS))
+    heads = ["learner", "schedule", "NashConv of the race", "of the yoked race", "answers pay",
+             "Holm", f"margin {margins}", f"after {early} generations",
+             f"worlds in which they pay / cost by {', '.join(map(str, MARGINS))}"]  # fmt: skip
+    return common.markdown(heads, lines)
+
+
+def table_of_paths(numbers: common.Numbers, kind: str, choice: str) -> str:
+    """Return where answers pay: in states that were met, or elsewhere."""
+    rows = [(kind, choice, race) for race in RACES]
+    rest = {row: pay(numbers, row) - pay(numbers, row, part=2) for row in rows}
+    adjusted = common.adjusted(rest)
+    lines = [
         [
-            *kind.split("; "),
-            *(
-                f"{rank:+.2f}" + "\\*" * (p < common.SIGNIFICANCE)
-                for rank, p in (found[kind, name] for name in PROPERTIES)
-            ),
+            *row[2].split("; "),
+            *(common.mean(pay(numbers, row, part=part), sign="+") for part in range(len(PARTS))),
+            f"{common.mean(rest[row], sign='+')}, {common.shown_p(adjusted[row])}",
         ]
-        for kind in KIND
+        for row in rows
     ]
-    return common.markdown(["learner", "schedule", *PROPERTIES.values()], rows)
+    heads = ["learner", "schedule", *PARTS, "the rest: all minus the last, Holm"]
+    return common.markdown(heads, lines)
+
+
+def table_of_choices(numbers: common.Numbers) -> str:
+    """Return by how much more answers pay by the average than by the mixture, at once."""
+    rows = {
+        race: pay(numbers, ("at once", "average", race))
+        - pay(numbers, ("at once", "mixture", race))
+        for race in RACES
+    }
+    adjusted = common.adjusted(rows)
+    lines = [
+        [*race.split("; "), f"{common.mean(each, sign='+')}, {common.shown_p(adjusted[race])}"]
+        for race, each in rows.items()
+    ]
+    return common.markdown(["learner", "schedule", "average minus mixture, Holm"], lines)
+
+
+def table_of_errors(numbers: common.Numbers) -> str:
+    """Return how often each verdict is given though it is wrong."""
+    rows, rng = rows_of(numbers), np.random.default_rng(0)
+    false, missed = np.zeros(len(MARGINS)), []
+    for _ in range(DRAWS):
+        signs = {row[:2]: rng.choice([-1.0, 1.0], len(each)) for row, each in rows.items()}
+        said = verdicts({row: each * signs[row[:2]] for row, each in rows.items()})
+        false += np.isin([each for _, each in said.values()], ["pay", "cost"]).any(axis=0)
+    for margin in MARGINS:
+        shifted = [each - each.mean() + margin for each in rows.values() if np.ptp(each) > 0.0]
+        drawn = [each[rng.integers(len(each), size=(DRAWS, len(each)))] for each in shifted]
+        missed.append([np.mean([farthest(one) < margin for one in each]) for each in drawn])
+    lines = [
+        [str(margin), f"{wrong / DRAWS:.3f}", f"{np.mean(alike):.3f}; {np.max(alike):.3f}"]
+        for margin, wrong, alike in zip(MARGINS, false, missed, strict=True)
+    ]
+    heads = ["margin", 'any "pay" or "cost" of all comparisons, if none does',
+             '"alike" if answers pay by the margin: mean; worst comparison']  # fmt: skip
+    return common.markdown(heads, lines)
 
 
 def table_of_worlds(numbers: common.Numbers) -> str:
-    """Return what answers bring in each world, for the two learners that are not perfect."""
-    kinds = [kind for kind in KIND if not kind.startswith("perfect;")]
-    brings = {kind: pay(numbers, kind) for kind in kinds}
-    rows = [
-        [world, *(common.mean(each[place], sign="+") for each in brings.values())]
-        for place, world in enumerate(numbers["world"])
-    ]
-    return common.markdown(["world", *kinds], rows)
+    """Return what answers bring in each world, by the last choice of its kind."""
+    lines = []
+    for place, world in enumerate(numbers["world"]):
+        choice = CHOICES.index(KINDS["at once" if numbers["together"][place] else "in turns"][-1])
+        values = [
+            (numbers[f"{race} / yoked"] - numbers[f"{race} / race"])[place, :, -1, choice, 0]
+            for race in RACES
+        ]
+        lines.append([world, *(common.mean(np.round(each, 6), sign="+") for each in values)])
+    return common.markdown(["world", *RACES], lines)
 
 
 def table(numbers: common.Numbers) -> str:
     """Return all tables in Markdown."""
-    count, seeds = numbers[f"{KIND[0]} / race"].shape[:2]
+    seeds, last = numbers[f"{RACES[0]} / race"].shape[1], numbers["horizons"][0, -1]
     parts = [
-        f"{count} worlds, {seeds} seeds. Answers pay: NashConv of the yoked race minus that of the "
-        "race, mean over worlds with its 95 % interval.",
-        table_of_pay(numbers),
-        "### Which property of a game says where answers pay?",
-        "Spearman's rank correlation over worlds; * if told from 0 (Holm, over this table).",
-        table_of_properties(numbers),
+        f"{seeds} seeds, {last} generations. Answers pay: NashConv of the yoked race minus that of "
+        "the race, mean over worlds with its 95 % interval (Student's t)."
+    ]
+    for kind, choices in KINDS.items():
+        for choice in choices:
+            count = int(of_kind(numbers, kind, choice).sum())
+            parts += [f"### {count} worlds {kind}: {choice}", table_of_pay(numbers, kind, choice)]
+        parts += [
+            f"### Worlds {kind}: where answers pay, by the {choices[-1]}",
+            "What answers bring to teams that keep their play only in states that they meet, and "
+            f"play as well as they can in all others: against any opponent, or the {choices[-1]}.",
+            table_of_paths(numbers, kind, choices[-1]),
+        ]
+    parts += [
+        "### Worlds at once: average and mixture",
+        "By how much more answers pay by the average.",
+        table_of_choices(numbers),
+        "### How often the verdicts are wrong",
+        f"{DRAWS} simulated sets. For *pay* and *cost*, race and yoked race are exchanged by chance "
+        "in each world. For *alike*, the mean is moved to the margin, and worlds are drawn anew.",
+        table_of_errors(numbers),
         "### Worlds",
-        "Answers pay, mean over seeds with its 95 % interval.",
+        "Answers pay, mean over seeds with its 95 % interval: newest in turns, mixture at once.",
         table_of_worlds(numbers),
     ]
     return "\n\n".join(parts)
 
 
+STYLES = {("in turns", "newest"): ("tab:blue", "o"), ("at once", "average"): ("tab:orange", "s"),
+          ("at once", "mixture"): ("black", "^")}  # fmt: skip
+
+
 def figure(numbers: common.Numbers) -> Figure:
     """Draw what answers bring: one point for each world, by kind of world and of race."""
-    found = Figure(figsize=(8, 3.6), layout="constrained")
+    found = Figure(figsize=(9, 4), layout="constrained")
     axis = found.subplots()
     rng = np.random.default_rng(0)
-    colors = {"in turns": "tab:blue", "at once": "tab:orange"}
-    for side, (of, color) in enumerate(colors.items()):
-        for place, kind in enumerate(KIND):
-            values = pay(numbers, kind)[of_kind(numbers, of)].mean(axis=1)
-            at = place + 0.2 * (2 * side - 1)
-            axis.plot(
-                at + rng.uniform(-0.08, 0.08, len(values)), values, ".", color=color, alpha=0.6
-            )
-            axis.plot([at - 0.15, at + 0.15], [values.mean()] * 2, color=color, linewidth=3)
-        axis.plot([], [], color=color, linewidth=3, label=f"worlds {of}: mean, and each world")
+    for side, ((kind, choice), (color, marker)) in enumerate(STYLES.items()):
+        for place, race in enumerate(RACES):
+            values = pay(numbers, (kind, choice, race))
+            at = place + 0.26 * (side - 1)
+            axis.plot(at + rng.uniform(-0.06, 0.06, len(values)), values, marker, color=color,
+                      markersize=3, alpha=0.5)  # fmt: skip
+            axis.plot([at - 0.11, at + 0.11], [values.mean()] * 2, color=color, linewidth=2.5)
+        axis.plot([], [], marker, color=color, label=f"{kind}, {choice}: worlds, and their mean")
     axis.axhline(0.0, color="black", linewidth=0.8)
-    axis.set_xticks(range(len(KIND)), [kind.replace("; ", ":\n") for kind in KIND], fontsize=7,
-                    rotation=25, ha="right")  # fmt: skip
-    axis.set_ylabel("answers pay (NashConv)\nabove 0: the race ends closer to perfect", fontsize=8)
-    axis.legend(frameon=False, fontsize=8)
+    labels = [race.replace("; ", ":\n") for race in RACES]
+    axis.set_xticks(range(len(RACES)), labels, fontsize=7, rotation=25, ha="right")
+    axis.set_ylabel("answers pay (NashConv)\nabove 0: the race ends closer to perfect", fontsize=9)
+    axis.legend(frameon=False, fontsize=8, loc="upper right")
     axis.spines[["top", "right"]].set_visible(False)
     return found
 
