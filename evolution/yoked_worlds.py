@@ -189,11 +189,10 @@ def table_of_paths(numbers: common.Numbers, kind: str, choice: str) -> str:
 
 def table_of_choices(numbers: common.Numbers) -> str:
     """Return by how much more answers pay by the average than by the mixture, at once."""
-    rows = {
-        race: pay(numbers, ("at once", "average", race))
-        - pay(numbers, ("at once", "mixture", race))
-        for race in RACES
-    }
+    average, mixture = (
+        {race: pay(numbers, ("at once", choice, race)) for race in RACES} for choice in CHOICES[1:]
+    )
+    rows = {race: average[race] - mixture[race] for race in RACES}
     adjusted = common.adjusted(rows)
     lines = [
         [*race.split("; "), f"{common.mean(each, sign='+')}, {common.shown_p(adjusted[race])}"]
@@ -223,19 +222,6 @@ def table_of_errors(numbers: common.Numbers) -> str:
     return common.markdown(heads, lines)
 
 
-def table_of_worlds(numbers: common.Numbers) -> str:
-    """Return what answers bring in each world, by the last choice of its kind."""
-    lines = []
-    for place, world in enumerate(numbers["world"]):
-        choice = CHOICES.index(KINDS["at once" if numbers["together"][place] else "in turns"][-1])
-        values = [
-            (numbers[f"{race} / yoked"] - numbers[f"{race} / race"])[place, :, -1, choice, 0]
-            for race in RACES
-        ]
-        lines.append([world, *(common.mean(np.round(each, 6), sign="+") for each in values)])
-    return common.markdown(["world", *RACES], lines)
-
-
 def table(numbers: common.Numbers) -> str:
     """Return all tables in Markdown."""
     seeds, last = numbers[f"{RACES[0]} / race"].shape[1], numbers["horizons"][0, -1]
@@ -258,12 +244,10 @@ def table(numbers: common.Numbers) -> str:
         "By how much more answers pay by the average.",
         table_of_choices(numbers),
         "### How often the verdicts are wrong",
-        f"{DRAWS} simulated sets. For *pay* and *cost*, race and yoked race are exchanged by chance "
-        "in each world. For *alike*, the mean is moved to the margin, and worlds are drawn anew.",
+        f"{DRAWS} simulated sets. For *pay* and *cost*, race and yoked race are exchanged by "
+        "chance in each world. For *alike*, the mean is moved to the margin, and worlds are drawn "
+        "anew.",
         table_of_errors(numbers),
-        "### Worlds",
-        "Answers pay, mean over seeds with its 95 % interval: newest in turns, mixture at once.",
-        table_of_worlds(numbers),
     ]
     return "\n\n".join(parts)
 
