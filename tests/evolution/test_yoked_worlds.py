@@ -37,18 +37,36 @@ def test_a_yoked_race_answers_the_opponents_of_the_other_race() -> None:
     expected = 1.0 - GAME.scores(replayed.tables["pursuer"], yoked.tables["evader"]).T
     np.testing.assert_allclose(yoked.scores("evader"), expected)
     # A race that is yoked to itself is that race.
-    same, own = race.run(3), yoked_worlds.YokedRace(race, GAME, *SETTINGS, 0)
-    assert yoked_worlds.shortfalls(own.run(3), "newest") == yoked_worlds.shortfalls(same, "newest")
+    found = yoked_worlds.played(race, (1, 3))
+    assert found == yoked_worlds.played(yoked_worlds.YokedRace(race, GAME, *SETTINGS, 0), (1, 3))
+    assert found[1][0][0] == pytest.approx(race.nash_conv(), abs=1e-4)
 
 
 def test_words_on_differences() -> None:
     rng = np.random.default_rng(0)
-    for mean, p, said in (
-        (0.1, 0.01, "pay"), (-0.1, 0.01, "cost"), (0.0, 0.9, "alike"), (0.1, 0.2, "cannot tell"),
+    for mean, p, strict, loose in (
+        (0.1, 0.01, "pay", "pay"), (-0.1, 0.01, "cost", "cost"), (0.0, 0.9, "alike", "alike"),
+        (0.03, 0.01, "pay", "alike"), (0.1, 0.2, "cannot tell", "cannot tell"),
     ):  # fmt: skip
-        assert yoked_worlds.verdict(mean + 0.01 * rng.normal(size=9), p) == said
-    seeds = np.stack([each + 0.01 * rng.normal(size=20) for each in (0.1, -0.1, 0.0)])
-    assert yoked_worlds.single_worlds(seeds) == (1, 1)
-    strengths = np.add.outer([0.1, 0.2, 0.4], [0.0, 0.3, 0.1])
-    assert yoked_worlds.interaction(strengths) == pytest.approx(0.0, abs=1e-9)
-    assert yoked_worlds.interaction(np.eye(2)) == pytest.approx(1.0)
+        values = mean + 0.01 * rng.normal(size=9)
+        assert yoked_worlds.verdict(values, p, 0.02) == strict
+        assert yoked_worlds.verdict(values, p, 0.05) == loose
+
+
+def test_answers_pay_by_the_difference_of_yoked_races_and_races() -> None:
+    shape = (2, 1, 2, len(tabular.CHOICES), len(yoked_worlds.PARTS))
+    numbers = {"together": np.array([False, True]), "evaders": np.array([0.5, 0.9]),
+               "pursuers": np.array([0.5, 0.1])}  # fmt: skip
+    for race in yoked_worlds.RACES:
+        numbers |= {f"{race} / race": np.zeros(shape), f"{race} / yoked": np.zeros(shape)}
+    kind = yoked_worlds.RACES[0]
+    numbers[f"{kind} / yoked"][1, 0, -1, 2, 0] = 0.25  # at once, at last, mixture, all states
+    assert yoked_worlds.pay(numbers, ("at once", "mixture", kind)) == [0.25]
+    others = [("in turns", "newest", kind), ("at once", "average", kind)]
+    assert all(yoked_worlds.pay(numbers, row) == [0.0] for row in others)
+    assert yoked_worlds.pay(numbers, ("at once", "mixture", kind), part=1) == [0.0]
+    assert yoked_worlds.pay(numbers, ("at once", "mixture", kind), horizon=0) == [0.0]
+    numbers["evaders"][1] = 1.0  # the least NashConv of tables is .9, below .95
+    assert len(yoked_worlds.pay(numbers, ("at once", "newest", kind))) == 1
+    numbers["pursuers"][1] = 0.0
+    assert len(yoked_worlds.pay(numbers, ("at once", "newest", kind))) == 0
