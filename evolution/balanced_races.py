@@ -8,7 +8,8 @@ moves by named inputs and evolve by CMA-ES, as in `matrixworld evolve`. Schedule
 same number of training matches, halls of fame nearly twice as many.
 
 Each race is judged by itself, and each group of ten together, as `matrixworld judge` does: in both
-halves of the generations, and in the whole race. A *champion* is the best generation of a team as
+halves of the generations, and in the whole race. The payoffs are kept, so that a new table follows
+the rules of its day. A *champion* is the best generation of a team as
 `SavedRun.best` chooses it, on other episodes against held-out opponents. It is *above* a script if
 the 95 % interval of the difference, over 1,000 episodes that both play against each held-out
 opponent, lies above 0. All scripts that make sense for the team are asked, careful ones, too. None
@@ -61,18 +62,19 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     return found
 
 
-def found_in(payoffs: FloatArray) -> dict[str, Any]:
-    """Return what is found in races (seeds, G, H, episodes): in all together, in how many."""
+def judged(payoffs: FloatArray) -> tuple[dict[str, str], NDArray[np.int64]]:
+    """Return what is found in races (seeds, G, H, episodes), by the rules of today.
+
+    In all together, by window, and in how many single ones (windows, `SHOWN`).
+    """
     together = analysis.judge(payoffs, per_episode=True)
-    single = [*map(partial(analysis.judge, per_episode=True), payoffs)]
-    found: dict[str, Any] = {}
-    for window in WINDOWS:
-        present = [each.present(window) for each in single]
-        found[f"found, {window}"] = np.array(together.present(window), str)
-        found[f"single, {window}"] = np.array(
-            [[name in each for name in SHOWN] for each in present]
-        )
-    return found
+    single = [analysis.judge(each, per_episode=True) for each in payoffs]
+    found = {each: ", ".join(together.present(each)) or "cannot tell" for each in WINDOWS}
+    counts = [
+        [sum(name in each.present(window) for each in single) for name in SHOWN]
+        for window in WINDOWS
+    ]
+    return found, np.array(counts)
 
 
 def against_all(world: WorldConfig, team: Team, plays: Any, episodes: int) -> FloatArray:
@@ -120,7 +122,9 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
         numbers |= {f"{kind} / {n}": np.array([one[n] for one in found]) for n in found[0]}
         every = np.stack([run.payoff().scores for run in each])
         numbers[f"matches of {kind}"] = each[0].log()["matches"][-1] + every[0].size
-        numbers |= {f"{name} in {kind}": value for name, value in found_in(every).items()}
+        evaders = each[0].settings.game.world.n_evaders
+        numbers[f"captured in {kind}"] = np.rint(every * evaders).astype(np.uint8)
+        numbers[f"evaders of {kind}"] = evaders
     for world in dict.fromkeys(kind.split("; ")[0] for kind in runs):
         best = best_scripts(WorldConfig.of(world), episodes=QUICK_EPISODES if quick else EPISODES)
         for team, script in best.items():
@@ -147,17 +151,13 @@ def table(numbers: Numbers) -> str:
         best = [" ".join(reversed(numbers[f"{world}: {team}"])) for team in TEAMS]
         rows.append([f"{world}; best scripts", "", "", *best, "", "", ""])
         for kind in kinds:
-            told = [
-                ", ".join(numbers[f"found, {each} in {kind}"]) or "cannot tell" for each in WINDOWS
-            ]
-            single = np.array(
-                [numbers[f"single, {each} in {kind}"].sum(axis=0) for each in WINDOWS]
-            )
+            rates = numbers[f"captured in {kind}"] / np.float32(numbers[f"evaders of {kind}"])
+            found, single = judged(rates)
             counts = [" / ".join(map(str, each)) for each in (single[:, 0], single[-1, 1:])]
             scores = [cell_of_scores(numbers, kind, team) for team in TEAMS]
             count = str(len(numbers[f"{kind} / pursuer"]))
             matches = f"{numbers[f'matches of {kind}']:,}"
-            rows.append([kind, count, matches, *scores, " / ".join(told), *counts])
+            rows.append([kind, count, matches, *scores, " / ".join(found.values()), *counts])
     windows = " / ".join(WINDOWS)
     heads = ["races", "seeds", "matches", *(f"{team}s" for team in TEAMS), f"found: {windows}"]
     heads += [f"arms races: {windows}", f"in single whole races: {' / '.join(SHOWN[1:])}"]

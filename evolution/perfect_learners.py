@@ -1,6 +1,6 @@
 """Which schedule converges if learning is perfect? Exact best responses, then poorer learners.
 
-    python evolution/perfect_learners.py             30 worlds, fifteen minutes of one core
+    python evolution/perfect_learners.py             30 worlds, five minutes of one core
     python evolution/perfect_learners.py --quick     four small worlds, some seconds
 
 `convergence.py` compares schedules by one learner in one world. Here the learner is the exact best
@@ -43,7 +43,7 @@ from tabular import (
 )
 
 QUICK_WORLDS = 4
-HORIZONS = {False: (1, 16, 64), True: (1, 2, 4)}
+HORIZONS = {False: (1, 8, 32), True: (1, 2, 4)}
 """Generations after which all choices are measured: full length, or with ``--quick``."""
 FIRST_SEED = 1000
 """The seed of the first tables of the first world; seeds below were played before."""

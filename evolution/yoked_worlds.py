@@ -1,6 +1,6 @@
 """Does an arms race need an answering opponent? Races of tables and yoked ones, in 30 worlds.
 
-    python evolution/yoked_worlds.py             30 worlds, five seeds of each race, ten minutes
+    python evolution/yoked_worlds.py             30 worlds, three seeds of each race, five minutes
     python evolution/yoked_worlds.py --quick     four small worlds and three seeds, some seconds
 
 In a yoked race each team meets the opponents of the race of the next seed, in their order: they
@@ -41,7 +41,7 @@ from tabular import (
     config_of,
 )
 
-SEEDS, HORIZONS = {False: 5, True: 3}, {False: (8, 32), True: (2, 4)}
+SEEDS, HORIZONS = {False: 3, True: 3}, {False: (8, 32), True: (2, 4)}
 """Full length, or with ``--quick``."""
 LEARNS = (
     "perfect", "perfect where it plays", "linear rating", "improves what it meets",
