@@ -29,6 +29,7 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from common import Numbers, Runs, experiment, kept, kinds_in, markdown, mean
 from matrixworld import WORLDS, WorldConfig, analysis

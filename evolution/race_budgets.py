@@ -7,8 +7,7 @@ Races of `evolve --paper` differ in two things from the *long* ones (`common.lon
 half of the matches, and their samples spread with the genome (`relative_sigma`), where those of the
 long ones have the same standard deviation throughout. So there are four kinds of race. Those of the
 same schedule and seed are compared by the scores of both last generations against held-out
-opponents, and by the share of checkerboards in the last half. The judgement of the last half says
-what is found in all seeds together, and in how many single races.
+opponents, and by the share of checkerboards in the last half.
 
 Long races with the same steps have been played for other tables, and are read from results/; of the
 hall of fame their scores are kept, not their payoffs. Only ``--quick`` plays them.
@@ -19,7 +18,6 @@ change costs or brings.
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -83,37 +81,19 @@ def scores_of(run: SavedRun) -> dict[str, float]:
     return {team: float(scores[team].means[-1]) for team in TEAMS}
 
 
-SHOWN = ("arms race", "intransitivity", "cycling", "forgetting")
-"""Conditions that are counted in single races."""
-
-
-def found_in(payoffs: FloatArray) -> dict[str, Any]:
-    """Return what is found in the last half of races (seeds, G, H, episodes).
-
-    In all together; in how many single ones; and the share of checkerboards in each.
-    """
-    together = analysis.judge(payoffs, per_episode=True)
-    single = [
-        each.present("last half")
-        for each in map(partial(analysis.judge, per_episode=True), payoffs)
-    ]
+def checkerboards(payoffs: FloatArray) -> FloatArray:
+    """Return the share of checkerboards in the last half of races (seeds, G, H, episodes)."""
     measure = analysis.MEASURES["checkerboards"]
-    return {
-        "found": np.array(together.present("last half"), str),
-        "single": np.array([sum(name in each for each in single) for name in SHOWN]),
-        "checkerboards": np.array(
-            [measure.of(each.mean(axis=-1), "last half").value for each in payoffs]
-        ),
-    }
+    return np.array([measure.of(each.mean(axis=-1), "last half").value for each in payoffs])
 
 
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return scores, matches and what is found of each kind, and the numbers of long races."""
+    """Return scores, matches and checkerboards of each kind, and the numbers of long races."""
     numbers = by_seed(runs, scores_of) | ({} if quick else kept())
     for kind, each in runs.items():
         every = np.stack([run.payoff().scores for run in each])
         numbers[f"matches of {kind}"] = each[0].log()["matches"][-1] + every[0].size
-        numbers |= {f"{name} in {kind}": found for name, found in found_in(every).items()}
+        numbers[f"checkerboards in {kind}"] = checkerboards(every)
     return numbers
 
 
@@ -128,7 +108,7 @@ def kept() -> dict[str, Any]:
     for row, schedule in ((0, SPECIALISTS), (2, GENERALISTS)):
         rates = claims[f"captured {schedule}"][:SEEDS] / float(claims["evaders"])
         kind = f"{LONG}; {schedule}"
-        numbers |= {f"{name} in {kind}": found for name, found in found_in(rates).items()}
+        numbers[f"checkerboards in {kind}"] = checkerboards(rates)
         for team in TEAMS:
             numbers[f"{kind} / {team}"] = claims[f"held-out of {team}s"][row, :SEEDS]
     return numbers
@@ -154,13 +134,9 @@ def table(numbers: Numbers) -> str:
             # Of the same seeds.
             cells.append(mean(each, 3) if kind == long else mean(each - other[: len(each)], 3, "+"))
         cells += ["not kept"] * (3 - len(cells))
-        found, single = (numbers.get(f"{name} in {kind}") for name in ("found", "single"))
-        told = "not kept" if found is None else ", ".join(found) or "cannot tell"
-        counts = "not kept" if single is None else " / ".join(map(str, single))
         seeds = len(numbers[f"{kind} / pursuer"])
-        rows.append([kind, str(seeds), f"{numbers[f'matches of {kind}']:,}", *cells, told, counts])
+        rows.append([kind, str(seeds), f"{numbers[f'matches of {kind}']:,}", *cells])
     heads = ["races", "seeds", "matches", *(f"{team}s" for team in TEAMS), "checkerboards"]
-    heads += ["found in the last half", f"in single races: {' / '.join(SHOWN)}"]
     told = "Scores and checkerboards: of long races the mean, of others the difference from them."
     return f"{told}\n\n{markdown(heads, rows)}"
 

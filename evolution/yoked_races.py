@@ -4,8 +4,8 @@
     python evolution/yoked_races.py --quick     two seeds of tiny races, some seconds
 
 In a yoked race the opponents are replayed from the race of the next seed: they change as in a race,
-but do not answer, a yoked control (Held and Hein 1963). Both kinds begin with the same genomes and
-get the same judgement. Runs are kept in ``--runs``; an interrupted script continues where it
+but do not answer, a yoked control (Held and Hein 1963). Both kinds begin with the same genomes.
+Runs are kept in ``--runs``; an interrupted script continues where it
 stopped.
 
 In the payoff matrix of a yoked race strangers meet, in that of a race the teams that trained with
@@ -95,15 +95,11 @@ TINY = TURNS.changed({
 EXACT = {"turns", "tiny"}
 """Worlds that are solved."""
 
-SHARES = ("arms race", "rise")
-"""Conditions: 1 if the judgement of a single race finds it in the whole race, else 0."""
 NAMES = {
     "pursuer_gain": "gain of the pursuers in its matrix",
     "evader_gain": "gain of the evaders in its matrix",
     "pursuer_met": "gain of the pursuers against those met",
     "evader_met": "gain of the evaders against those met",
-    "arms race": "seeds with an arms race",
-    "rise": "seeds with a rise",
     "pursuer_common": "rise of the pursuers against common ones",
     "evader_common": "rise of the evaders against common ones",
     "pursuer_perfect": "rise of the pursuers against perfect play",
@@ -183,17 +179,12 @@ def yoked(runs: Runs, quick: bool) -> dict[str, list[Yoked]]:
 
 
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return the numbers of `NAMES` of each kind of race by seed, and its ``judgement``."""
+    """Return the numbers of `NAMES` of each kind of race by seed."""
     numbers: dict[str, Any] = {}
     for kind, each in runs.items():
         world = kind.split(",")[0]
         races = runs[kind.removesuffix(YOKED).removesuffix(RACE) + RACE]
         rates = np.stack([run.payoff().scores for run in each])
-        judged = analysis.judge(rates, per_episode=True).windows["whole"]
-        numbers[f"judgement of {kind}"] = [[name, each.verdict] for name, each in judged.items()]
-        for name in SHARES:
-            present = [verdict == "present" for verdict in judged[name].by_run]
-            numbers[f"{kind} / {name}"] = np.array(present, float)
         met = [*races[1:], races[0]] if kind.endswith(YOKED) else races
         for team in TEAMS:
             of_team = {
@@ -286,21 +277,15 @@ def of_world(numbers: Numbers, world: str) -> str:
     differences = {name: values[RACE][name] - values[YOKED][name] for name in names}
     rows = []
     for name, p in adjusted(differences).items():
-        bounds = (0.0 if name in SHARES else -1.0, 1.0)
-        means = [analysis.interval_over_runs(values[kind][name], bounds=bounds) for kind in values]
-        difference = analysis.interval_over_runs(differences[name], bounds=(-1.0, 1.0))
+        means, (difference,) = (
+            [analysis.interval_over_runs(each, bounds=(-1.0, 1.0)) for each in of]
+            for of in ([values[kind][name] for kind in values], [differences[name]])
+        )
         told = [written(difference, sign="+"), shown_p(p), f"**{verdict(p, difference)}**"]
         rows.append([NAMES[name], *map(written, means), *told])
     count = len(differences[names[0]])
     heads = [f"mean over {count} seeds [95%]", RACE, YOKED, "difference", "Holm |"]
-    judged = [numbers[f"judgement of {world}, {kind}"] for kind in (RACE, YOKED)]
-    verdicts = [[name, said, other] for (name, said), (_, other) in zip(*judged, strict=True)]
-    parts = [
-        f"### {world}",
-        markdown(heads, rows),
-        markdown(["judgement of all seeds, whole race", RACE, YOKED], verdicts),
-    ]
-    return "\n\n".join(parts)
+    return f"### {world}\n\n{markdown(heads, rows)}"
 
 
 if __name__ == "__main__":

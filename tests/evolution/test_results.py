@@ -44,7 +44,6 @@ from evolution_scripts import RESULTS, read
 from matrixworld import WORLDS, WorldConfig
 from matrixworld.coevolution import TEAMS
 from matrixworld.coevolution.evaluation.held_out import scripts_for
-from matrixworld.coevolution.settings.schedules import HIDES_CYCLING
 
 NUMBER = r"-?\d+\.\d+"
 
@@ -87,7 +86,10 @@ ROUNDED = {
     *(f"paper/{name}/table.md" for name in ("actor_critic_claims", "paper_claims")),
 }
 """Tables with numbers that another processor or SciPy may round otherwise."""
-LONG = ROUNDED | {"coverage/table.md", "judgement/errors.md"}
+LONG = ROUNDED | {
+    "balanced_races/table.md", "coverage/coverage.md", "judgement/errors.md",
+    "perfect_learners/table.md",
+}  # fmt: skip
 """Tables that take seconds."""
 
 
@@ -108,21 +110,6 @@ def test_a_published_table_follows_from_published_numbers(name):
     assert told_words == published_words
     values, expected = ([*map(float, re.findall(NUMBER, text))] for text in (told, published))
     assert values == pytest.approx(expected, rel=0.05, abs=0.011)
-
-
-def test_what_short_races_are_said_to_hide_follows_from_published_numbers():
-    numbers = np.load(RESULTS / "race_budgets/numbers.npz")
-    place = race_budgets.SHOWN.index("cycling")
-
-    def cycling(*budgets):
-        kinds = [f"{budget}; {race_budgets.SPECIALISTS}" for budget in budgets]
-        found = sum(int(numbers[f"single in {kind}"][place]) for kind in kinds)
-        return f"in {found} of {sum(len(numbers[f'{kind} / pursuer']) for kind in kinds)}"
-
-    told = HIDES_CYCLING.split("generation")[1]
-    short = cycling(race_budgets.DEFAULT, race_budgets.DEFAULT_SAME)
-    assert short in told
-    assert cycling(race_budgets.LONG, race_budgets.LONG_SPREADING) in told.split(short)[1]
 
 
 def test_the_best_script_of_a_result_is_of_all_scripts_that_can_play():

@@ -129,8 +129,6 @@ def _print_race(race: Race, judgement: analysis.Judgement) -> None:
         console.print_wrapped(STRIP_LEGEND)
     if judgement.runs == 1:
         console.print_wrapped(SINGLE_RUN)
-    if group:
-        console.print_wrapped(group.runs[0].settings.schedule.limits)
 
 
 def print_judgement(judgement: analysis.Judgement) -> None:

@@ -245,7 +245,7 @@ def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str
     limits = ""
     judged = None
     if settings.is_race:
-        limits = f"{too_few_episodes(payoff)} {settings.schedule.limits}".strip()
+        limits = too_few_episodes(payoff)
         judged = findings(payoff, ended=so_far is None)
     world = None
     if isinstance(settings.game, PursuitSettings):

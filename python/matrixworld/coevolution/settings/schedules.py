@@ -67,11 +67,6 @@ class Schedule(Section):
         return 1
 
     @property
-    def limits(self) -> str:
-        """What races with so few epochs may hide, in a sentence; empty if nothing is known."""
-        return ""
-
-    @property
     @abstractmethod
     def entries(self) -> int:
         """Genomes in the archive of a learning team at the end of a run."""
@@ -143,12 +138,6 @@ class OfTwoTeams(OfGenerations):
 # In turns:
 
 PSRO = "psro"  # name of a schedule in which both teams meet Nash mixtures
-ENOUGH_EPOCHS = 60
-# By `evolution/race_budgets.py`; epochs of pursuers and of evaders.
-HIDES_CYCLING = (
-    "Short races of specialists may hide cycling: with 28 and 58 epochs in a generation it was "
-    f"found in 5 of 20 races, with {ENOUGH_EPOCHS} and 120 in 12 of 20."
-)
 
 
 @section("alternating")
@@ -184,12 +173,6 @@ class InTurns(OfTwoTeams):
             if met == (type(pursuers), type(evaders)) and (self.opponents == 1 or name == PSRO):
                 return name
         return self.kind
-
-    @property
-    def limits(self) -> str:
-        """What races with so few epochs may hide, in a sentence; empty if nothing is known."""
-        specialists = self.name == "specialist-specialist"
-        return HIDES_CYCLING if specialists and self.pursuer_epochs < ENOUGH_EPOCHS else ""
 
     @property
     def opponents_met(self) -> int:
