@@ -1,6 +1,6 @@
 """Which schedule converges if learning is perfect? Exact best responses, then poorer learners.
 
-    python evolution/perfect_learners.py             30 worlds, five minutes of one core
+    python evolution/perfect_learners.py             30 worlds, three minutes of one core
     python evolution/perfect_learners.py --quick     four small worlds, some seconds
 
 `convergence.py` compares schedules by one learner in one world. Here the learner is the exact best
@@ -433,7 +433,7 @@ def figure(numbers: common.Numbers) -> Figure:
         axis.set(ylim=(-0.02, 1.0))
         axis.spines[["top", "right"]].set_visible(False)
     axes[0].set_ylabel("NashConv (0: perfect play)")
-    axes[0].plot([], [], color="0.75", marker=".", label="three other schedules")
+    axes[0].plot([], [], color="0.75", marker=".", label="two other schedules")
     axes[0].plot([], [], color="0.88", linewidth=8, label=f"differ by {MARGINS[-1]} or more")
     axes[0].legend(frameon=False, fontsize=8, loc="upper left")
     return found

@@ -11,7 +11,7 @@ which can be recognised by how it plays; the best table against that one is hard
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import product
 from typing import Any, TypeAlias
@@ -169,10 +169,11 @@ class Game:
         return found
 
     @cached_property
-    def prospects(self) -> dict[tuple[Team, int], Floats]:
+    def prospects(self) -> dict[tuple[Team, int], tuple[Floats, Floats]]:
         """What joint actions of a team lead to in a turn: features (S, actions, features).
 
-        Means over all actions of the other team, minus the mean over those of the team.
+        Means over all actions of the other team, minus the mean over those of the team. And
+        their products, summed over the actions (S, features, features).
         """
         found = {}
         for turn, succ in enumerate(self.succ):
@@ -180,7 +181,8 @@ class Game:
             for axis, team in enumerate(TEAMS):
                 if self.acts(turn, team):
                     means = after.mean(axis=2 - axis)
-                    found[team, turn] = means - means.mean(axis=1, keepdims=True)
+                    known = means - means.mean(axis=1, keepdims=True)
+                    found[team, turn] = known, known.transpose(0, 2, 1) @ known
         return found
 
     def shapes(self, team: Team) -> Iterator[tuple[int, int, int]]:
@@ -197,15 +199,21 @@ class Game:
 
     def mixed(self, team: Team, tables: list[Table], weights: Floats) -> Play:
         """Return the mixture of tables, which draws one of them in every turn anew."""
-        play = [np.zeros(shape) for shape in self.shapes(team)]
         total: dict[int, float] = {}  # a table that comes again is the same object
         for table, weight in zip(tables, weights, strict=True):
             total[id(table)] = total.get(id(table), 0.0) + float(weight)
-        for table in {id(table): table for table in tables}.values():
-            if (weight := total[id(table)]) > 0.0:
-                for shares, actions in zip(play, table, strict=True):
-                    places = np.arange(actions.size) * shares.shape[2] + actions.ravel()
-                    shares.reshape(-1)[places] += weight
+        shares = {key: weight for key, weight in total.items() if weight > 0.0}
+        drawn = [next(each for each in tables if id(each) == key) for key in shares]
+        play = []
+        for turn, shape in enumerate(self.shapes(team)):
+            if shape[2] == 1:
+                play.append(np.ones(shape))
+                continue
+            size = shape[0] * shape[1]
+            places = np.stack([each[turn].ravel() for each in drawn]) + np.arange(size) * shape[2]
+            spread = np.repeat([*shares.values()], size)
+            counts = np.bincount(places.ravel(), spread, size * shape[2])
+            play.append(counts.reshape(shape))
         return play
 
     def gains(self, turn: int, left: int, after: Floats, team: Team, opponents: Play) -> Floats:
@@ -271,12 +279,16 @@ class Game:
     def met(self, pursuers: Play, evaders: Play) -> list[NDArray[np.bool_]]:
         """Return which states random policies can reach, by turn (rounds, S)."""
         found = [np.zeros((self.rounds, len(succ)), np.bool_) for succ in self.succ]
-        now = np.unique(self.starts)
+        found[0][-1, self.starts] = True
         for left in reversed(range(self.rounds)):
             for turn, succ in enumerate(self.succ):
-                found[turn][left, now] = True
+                now = np.flatnonzero(found[turn][left])
                 p, e = (play[turn][left, now] > 0.0 for play in (pursuers, evaders))
-                now = np.unique(succ[now][p[:, :, None] & e[:, None]])
+                after = succ[now][p[:, :, None] & e[:, None]]
+                if turn + 1 < len(self.succ):
+                    found[turn + 1][left, after] = True
+                elif left > 0:
+                    found[0][left - 1, after] = True
         return found
 
     def scores(self, pursuers: list[Table], evaders: list[Table]) -> Floats:
@@ -358,12 +370,6 @@ def nash(count: int, scores: Scores) -> Floats:
     return equilibrium(scores())[1]
 
 
-def hard(count: int, scores: Scores) -> Floats:
-    """Return weights by how often the newest generation loses, squared (Vinyals et al. 2019)."""
-    losses = (1.0 - scores()[-1]) ** 2
-    return losses / losses.sum() if losses.sum() > TIE else every(count, scores)
-
-
 def equilibrium(own: Floats) -> tuple[Floats, Floats]:
     """Return a pair of equilibrium mixtures of a matrix, rows maximizing, by one programme."""
     rows, columns = own.shape
@@ -399,7 +405,6 @@ SCHEDULES: Mapping[str, Schedule] = {
     "generalists v specialists": Schedule(every, newest),
     GENERALISTS: Schedule(every, every),
     "hall of fame": Schedule(hall, hall),
-    "prioritised": Schedule(hard, hard),
     "PSRO, Nash": Schedule(nash, nash),
     "specialists that retain": Schedule(newest, newest, keeps=True),
 }
@@ -452,24 +457,10 @@ def on_the_way(task: Task) -> Table:
     return task.changed(task.best)
 
 
-def against_one(task: Task) -> Table:
-    """Return the best response, on the way, to one opponent drawn by the weights."""
-    drawn = task.rng.choice(len(task.past), p=task.weights)
-    return on_the_way(replace(task, weights=np.eye(len(task.past))[drawn]))
-
-
-def noisy(task: Task, share: float) -> Table:
-    """Return the best response, on the way, of which a share of the met states acts at random."""
+def noisy(task: Task) -> Table:
+    """Return the best response, on the way, of which a tenth of the met states acts at random."""
     tables = zip(task.game.random(task.team, task.rng), task.best, strict=True)
-    return task.changed(
-        [np.where(task.rng.random(b.shape) < share, wrong, b) for wrong, b in tables]
-    )
-
-
-def slow(task: Task, share: float) -> Table:
-    """Change each state that the best response meets to its action with a probability."""
-    tables = zip(on_the_way(task), task.own, strict=True)
-    return [np.where(task.rng.random(b.shape) < share, b, o) for b, o in tables]
+    return task.changed([np.where(task.rng.random(b.shape) < 0.1, wrong, b) for wrong, b in tables])
 
 
 def improved(task: Task) -> Table:
@@ -517,12 +508,10 @@ def rated(task: Task) -> Table:
     table = [each.copy() for each in task.own]
     for turn, sums in enumerate(worth):
         if game.acts(turn, team):
-            weights, features = met[turn].sum(axis=0), game.prospects[team, turn]
-            known = np.flatnonzero(weights)
-            roots = np.sqrt(weights[known])[:, None]
-            seen = (features[known] * roots[:, :, None]).reshape(-1, features.shape[2])
-            squares = seen.T @ seen + RIDGE * np.eye(seen.shape[1])
-            rating = np.linalg.solve(squares, seen.T @ (sums[known] / roots).ravel())
+            (features, products), weights = game.prospects[team, turn], met[turn].sum(axis=0)
+            squares = np.tensordot(weights, products, 1)
+            sides = np.tensordot(sums, features, 2)
+            rating = np.linalg.solve(squares + RIDGE * np.eye(len(squares)), sides)
             ratings = features @ rating
             best = ratings >= ratings.max(axis=1, keepdims=True) - EQUAL
             stays = best[np.arange(len(best)), table[turn]]
@@ -533,11 +522,9 @@ def rated(task: Task) -> Table:
 LEARNERS: Mapping[str, Learner] = {
     "perfect": perfect,
     "perfect where it plays": on_the_way,
-    "against 1 of the past": against_one,
-    "10 % wrong": partial(noisy, share=0.1),
+    "10 % wrong": noisy,
     "linear rating": rated,
     "improves what it meets": improved,
-    "10 % of the changes": partial(slow, share=0.1),
 }
 
 
@@ -619,11 +606,13 @@ class Race:
         for team in TEAMS:
             own, same = self.shares(team, choice)
             play, rivals = game.mixed(team, self.tables[team], own), self.opponents(team)
-            guarantees = [game.guarantee(team, play)]
-            for shares in (np.full(len(rivals), 1.0 / len(rivals)), same):
+            guarantees, every_one = [game.guarantee(team, play)], np.full(len(same), 1 / len(same))
+            for shares in (every_one, same)[: 1 if choice == "average" else 2]:
                 met = game.mixed(other(team), rivals, shares)
                 kept = game.met(*((play, met) if team == "pursuer" else (met, play)))
                 guarantees.append(game.guarantee(team, play, kept))
+            if choice == "average":
+                guarantees.append(guarantees[-1])
             found.append(guarantees)
         total, against_all, against_same = (e - p for p, e in zip(*found, strict=True))
         return total, against_all, against_same
