@@ -41,7 +41,7 @@ from tabular import (
     config_of,
 )
 
-SEEDS, HORIZONS = {False: 2, True: 2}, {False: (8, 32), True: (2, 4)}
+SEEDS, HORIZONS = 2, {False: (8, 32), True: (2, 4)}
 """Full length, or with ``--quick``."""
 LEARNS = ("perfect", "perfect where it plays", "linear rating", "improves what it meets")
 MEETS = (SPECIALISTS, GENERALISTS)
@@ -84,7 +84,7 @@ def measured(world: str, quick: bool) -> dict[str, Any]:
         for schedule in MEETS:
             races = [
                 Race(game, SCHEDULES[schedule], LEARNERS[learner], FIRST_SEED + seed)
-                for seed in range(SEEDS[quick])
+                for seed in range(SEEDS)
             ]
             kind = f"{learner}; {schedule}"
             found[f"{kind} / race"] = [played(race, horizons) for race in races]
