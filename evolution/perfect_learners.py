@@ -343,6 +343,37 @@ def table_of_forgetting(numbers: common.Numbers) -> str:
     return common.markdown(["worlds", "learner", *SCHEDULES], lines)
 
 
+def summary(numbers: common.Numbers) -> str:
+    """Return the end of a perfect learner in few columns, for the page."""
+    lines = []
+    for schedule in SCHEDULES:
+        turns, once, average, mixture = (
+            ends(numbers, PERFECT, kind, choice)[schedule]
+            for kind, choices in KINDS.items()
+            for choice in choices
+        )
+        cells = (counts(turns, LEVELS[0]), counts(once, LEVELS[0]))
+        lines.append([schedule, *cells, common.mean(average), common.mean(mixture)])
+    heads = ["perfect learner", "in turns, newest: perfect in", "at once, newest: at the bound in",
+             "at once, average: NashConv", "at once, mixture: NashConv"]  # fmt: skip
+    return common.markdown(heads, lines)
+
+
+def summary_of_verdicts(numbers: common.Numbers) -> str:
+    """Return for which learners schedules matter, for the page: differences, and verdicts."""
+    rows = rows_of(numbers)
+    told = verdicts(rows)
+    panels = list(dict.fromkeys(row[:2] for row in rows))
+    lines = [
+        [learner, *(
+            f"{spread(rows[(*panel, learner)]):.2f}: {' / '.join(told[(*panel, learner)][1])}"
+            for panel in panels
+        )]
+        for learner in LEARNERS
+    ]  # fmt: skip
+    return common.markdown(["learner", *map(", ".join, panels)], lines)
+
+
 def table_of_worlds(numbers: common.Numbers) -> str:
     """Return all worlds in the order in which they were played."""
     names = ("value", "pursuers", "evaders")

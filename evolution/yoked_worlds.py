@@ -167,6 +167,21 @@ def table_of_pay(numbers: common.Numbers, kind: str, choice: str) -> str:
     return common.markdown(heads, lines)
 
 
+def summary(numbers: common.Numbers) -> str:
+    """Return what answers bring, and the verdicts, in few columns, for the page."""
+    rows = rows_of(numbers)
+    told = verdicts(rows)
+    panels = list(dict.fromkeys(row[:2] for row in rows))
+    lines = [
+        [race.replace("; ", ": "), *(
+            f"{common.mean(rows[(*panel, race)], 2, '+')}, {' / '.join(told[(*panel, race)][1])}"
+            for panel in panels
+        )]
+        for race in RACES
+    ]  # fmt: skip
+    return common.markdown(["learner: schedule", *map(", ".join, panels)], lines)
+
+
 def table_of_paths(numbers: common.Numbers, kind: str, choice: str) -> str:
     """Return where answers pay: in states that were met, or elsewhere."""
     rows = [(kind, choice, race) for race in RACES]
