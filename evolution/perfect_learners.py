@@ -327,19 +327,28 @@ def table_of_paths(numbers: common.Numbers, kind: str, choice: str) -> str:
     return common.markdown(heads, lines)
 
 
+def forgot(numbers: common.Numbers, kind: str, learner: str, schedule: str) -> tuple[int, int]:
+    """Return how many races that came close to the best ended far, and how many came close."""
+    curves = numbers[f"{learner}; {schedule} / curve"][of_kind(numbers, kind, "newest")]
+    curves = curves - bounds(numbers, kind, "newest")[:, None]
+    found = curves.min(axis=1) <= LEVELS[0] + 1e-6
+    return int((found & (curves[:, -1] > LEVELS[1])).sum()), int(found.sum())
+
+
+def forgotten(numbers: common.Numbers, kind: str, learner: str) -> list[int]:
+    """Return the same of all schedules together."""
+    return np.sum([forgot(numbers, kind, learner, each) for each in SCHEDULES], axis=0).tolist()
+
+
 def table_of_forgetting(numbers: common.Numbers) -> str:
     """Return in how many races the newest generations were close to the best, and ended far."""
-    lines = []
-    for kind in KINDS:
-        for learner in LEARNERS:
-            cells = [kind, learner]
-            for schedule in SCHEDULES:
-                curve = numbers[f"{learner}; {schedule} / curve"][of_kind(numbers, kind, "newest")]
-                curve = curve - bounds(numbers, kind, "newest")[:, None]
-                found = curve.min(axis=1) <= LEVELS[0] + 1e-6
-                forgot = found & (curve[:, -1] > LEVELS[1])
-                cells.append(f"{forgot.sum()} of {found.sum()}")
-            lines.append(cells)
+    lines = [
+        [kind, learner, *(
+            "{} of {}".format(*forgot(numbers, kind, learner, each)) for each in SCHEDULES
+        )]
+        for kind in KINDS
+        for learner in LEARNERS
+    ]  # fmt: skip
     return common.markdown(["worlds", "learner", *SCHEDULES], lines)
 
 
@@ -431,29 +440,25 @@ def table(numbers: common.Numbers) -> str:
 
 # Figure
 
-LINES = {
-    SPECIALISTS: ("black", "s"), GENERALISTS: ("tab:blue", "o"), HALL: ("tab:cyan", "^"),
-    PSRO: ("tab:orange", "D"),
+MARKS = {
+    SPECIALISTS: ("black", "s"), "specialists that retain": ("0.55", "s"),
+    GENERALISTS: ("tab:blue", "o"), "generalists v specialists": ("0.55", "o"),
+    HALL: ("tab:cyan", "^"), PSRO: ("tab:orange", "D"),
 }  # fmt: skip
 
 
 def figure(numbers: common.Numbers) -> Figure:
-    """Draw the mean NashConv by learner, one line for each schedule."""
+    """Draw the mean NashConv of each schedule, by learner."""
     panels = [(kind, choice) for kind, choices in KINDS.items() for choice in choices]
     found = Figure(figsize=(12, 4), layout="constrained")
     axes = found.subplots(1, len(panels), sharey=True)
     told = verdicts(rows_of(numbers))
+    places = np.arange(len(LEARNERS))
     for axis, (kind, choice) in zip(axes, panels, strict=True):
-        places = np.arange(len(LEARNERS))
-        for schedule in SCHEDULES:
+        for side, (schedule, (color, marker)) in enumerate(MARKS.items()):
             means = [ends(numbers, each, kind, choice)[schedule].mean() for each in LEARNERS]
-            main = schedule in LINES
-            color, marker = LINES.get(schedule, ("0.75", "."))
-            axis.plot(
-                places, means, marker=marker, markersize=5, color=color,
-                linewidth=1.8 if main else 1, zorder=3 if main else 2,
-                label=schedule if main else None,
-            )  # fmt: skip
+            at = places + 0.13 * (side - (len(MARKS) - 1) / 2)
+            axis.plot(at, means, marker, markersize=5, color=color, label=schedule)
         for place, learner in enumerate(LEARNERS):
             if told[kind, choice, learner][1][-1] == "matter":
                 axis.axvspan(place - 0.5, place + 0.5, color="0.93", zorder=0, linewidth=0)
@@ -464,9 +469,9 @@ def figure(numbers: common.Numbers) -> Figure:
         axis.set(ylim=(-0.02, 1.0))
         axis.spines[["top", "right"]].set_visible(False)
     axes[0].set_ylabel("NashConv (0: perfect play)")
-    axes[0].plot([], [], color="0.75", marker=".", label="two other schedules")
     axes[0].plot([], [], color="0.88", linewidth=8, label=f"differ by {MARGINS[-1]} or more")
-    axes[0].legend(frameon=False, fontsize=8, loc="upper left")
+    handles, labels = axes[0].get_legend_handles_labels()
+    found.legend(handles, labels, frameon=False, fontsize=8, loc="outside right center")
     return found
 
 

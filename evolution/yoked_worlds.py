@@ -182,6 +182,12 @@ def summary(numbers: common.Numbers) -> str:
     return common.markdown(["learner: schedule", *map(", ".join, panels)], lines)
 
 
+def counts_of_verdicts(numbers: common.Numbers) -> list[int]:
+    """Return in how many comparisons answers pay, are alike, cannot be told; and how many are."""
+    said = [each[-1] for _, each in verdicts(rows_of(numbers)).values()]
+    return [*(said.count(word) for word in ("pay", "alike", "cannot tell")), len(said)]
+
+
 def table_of_paths(numbers: common.Numbers, kind: str, choice: str) -> str:
     """Return where answers pay: in states that were met, or elsewhere."""
     rows = [(kind, choice, race) for race in RACES]
@@ -211,6 +217,17 @@ def table_of_choices(numbers: common.Numbers) -> str:
         for race, each in rows.items()
     ]
     return common.markdown(["learner", "schedule", "average minus mixture, Holm"], lines)
+
+
+def table_of_seeds(numbers: common.Numbers) -> str:
+    """Return in how many worlds both races have the same newest NashConv."""
+    lines = []
+    for kind in KINDS:
+        for race in RACES:
+            found = numbers[f"{race} / race"][of_kind(numbers, kind), :, -1, 0, 0]
+            same = np.ptp(found, axis=1) < 0.001
+            lines.append([kind, *race.split("; "), f"{same.sum()} of {len(same)}"])
+    return common.markdown(["worlds", "learner", "schedule", "the same in"], lines)
 
 
 def table_of_errors(numbers: common.Numbers) -> str:
@@ -255,6 +272,10 @@ def table(numbers: common.Numbers) -> str:
         "### Worlds at once: average and mixture",
         "By how much more answers pay by the average.",
         table_of_choices(numbers),
+        "### Do races of other first tables end elsewhere?",
+        "Worlds in which the newest NashConvs of all seeds differ by less than 0.001. Added when "
+        "the first results were known.",
+        table_of_seeds(numbers),
         "### How often the verdicts are wrong",
         f"{DRAWS} simulated sets. For *pay* and *cost*, race and yoked race are exchanged by "
         "chance in each world. For *alike*, the mean is moved to the margin, and worlds are drawn "
