@@ -312,18 +312,20 @@ def table_of_paths(numbers: common.Numbers, kind: str, choice: str) -> str:
     """Return how much of the NashConv is lost in states that were met."""
     lines, parts = [], {}
     for learner in LEARNERS:
-        found = np.mean([
+        parts[learner] = np.mean([
             numbers[f"{learner}; {schedule} / {choice}"][of_kind(numbers, kind), -1]
             for schedule in SCHEDULES
-        ], axis=0)  # fmt: skip
-        parts[learner] = found[:, 0] - found[:, 2], found
-    adjusted = common.adjusted({learner: off for learner, (off, _) in parts.items()})
-    for learner, (off, found) in parts.items():
-        cells = [common.mean(found[:, place]) for place in range(3)]
-        told = f"{common.mean(off, sign='+')}, {common.shown_p(adjusted[learner])}"
-        lines.append([learner, *cells, told])
-    heads = ["learner, mean of schedules", "NashConv", "in states met against any opponent",
-             f"against the {choice}", "the rest, Holm"]  # fmt: skip
+        ], axis=0).T  # fmt: skip
+    adjusted = common.adjusted({each: total - same for each, (total, _, same) in parts.items()})
+    for learner, (total, against_any, same) in parts.items():
+        cells = [common.mean(each) for each in (total, against_any, same)]
+        cells += [common.mean(total - against_any, sign="+"), ", ".join([
+            common.mean(total - same, sign="+"), common.shown_p(adjusted[learner])
+        ]), common.mean(2 * same - total, sign="+")]  # fmt: skip
+        lines.append([learner, *cells])
+    met = f"met against the {choice}"
+    heads = ["learner, mean of schedules", "NashConv", "met against any opponent", met,
+             "not met against any", f"not {met}, Holm", f"{met} minus not"]  # fmt: skip
     return common.markdown(heads, lines)
 
 
