@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+import perfect_learners
 import tabular
 import yoked_worlds
+from evolution_scripts import RESULTS
 from matrixworld.coevolution import TEAMS
 
 GAME = tabular.Game(
@@ -70,3 +72,39 @@ def test_answers_pay_by_the_difference_of_yoked_races_and_races() -> None:
     assert len(yoked_worlds.pay(numbers, ("at once", "newest", kind))) == 1
     numbers["pursuers"][1] = 0.0
     assert len(yoked_worlds.pay(numbers, ("at once", "newest", kind))) == 0
+
+
+def test_a_yoked_race_of_a_learner_without_a_past_repeats_the_other_race() -> None:
+    game = tabular.Game(tabular.config_of(tabular.WORLDS[2]))
+    of = {"together": np.array([False]), "evaders": np.ones(1), "pursuers": np.ones(1)}
+    for learner, same in (("linear rating", 1), ("improves what it meets", 0)):
+        settings = tabular.SCHEDULES[tabular.SPECIALISTS], tabular.LEARNERS[learner]
+        races = [tabular.Race(game, *settings, seed) for seed in range(3)]
+        own = [yoked_worlds.played(race, (4,)) for race in races]
+        replayed = [*races[1:], races[0]]
+        yoked = [
+            yoked_worlds.played(yoked_worlds.YokedRace(each, game, *settings, seed), (4,))
+            for seed, each in enumerate(replayed)
+        ]
+        kind = f"{learner}; {tabular.SPECIALISTS}"
+        numbers = {**of, f"{kind} / race": np.array([own]), f"{kind} / yoked": np.array([yoked])}
+        assert yoked_worlds.repeats(numbers, "in turns", kind) == (same, 1)
+
+
+def test_kept_numbers_are_those_of_the_races() -> None:
+    kept, place = np.load(RESULTS / "yoked_worlds/numbers.npz"), 25
+    assert [*kept["world"]] == tabular.WORLDS
+    game, kind = tabular.Game(tabular.config_of(tabular.WORLDS[place])), yoked_worlds.RACES[2]
+    learner, schedule = kind.split("; ")
+    settings = tabular.SCHEDULES[schedule], tabular.LEARNERS[learner]
+    races = [tabular.Race(game, *settings, perfect_learners.FIRST_SEED + seed) for seed in (0, 1)]
+    found = [yoked_worlds.played(race, (8,)) for race in races]
+    first = yoked_worlds.YokedRace(races[1], game, *settings, perfect_learners.FIRST_SEED)
+    # Another SciPy may find another equilibrium: not the mixture.
+    np.testing.assert_allclose(
+        np.array(found)[:, :, :2], kept[f"{kind} / race"][place, :, :1, :2], atol=1e-4
+    )
+    np.testing.assert_allclose(
+        np.array(yoked_worlds.played(first, (8,)))[:, :2],
+        kept[f"{kind} / yoked"][place, 0, :1, :2], atol=1e-4,
+    )  # fmt: skip
