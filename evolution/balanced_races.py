@@ -31,7 +31,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from common import Numbers, Runs, experiment, kept, kinds_in, markdown, mean
+from common import Numbers, Runs, experiment, kept, kinds_in, markdown, mean, payoffs_of, rates
 from matrixworld import WORLDS, WorldConfig, analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, default_race
 from matrixworld.coevolution.evaluation.held_out import opponents_of, scripts_for
@@ -121,11 +121,9 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
             for run in each
         ]
         numbers |= {f"{kind} / {n}": np.array([one[n] for one in found]) for n in found[0]}
-        every = np.stack([run.payoff().scores for run in each])
-        numbers[f"matches of {kind}"] = each[0].log()["matches"][-1] + every[0].size
-        evaders = each[0].settings.game.world.n_evaders
-        numbers[f"captured in {kind}"] = np.rint(every * evaders).astype(np.uint8)
-        numbers[f"evaders of {kind}"] = evaders
+        numbers |= payoffs_of(kind, each)
+        played = numbers[f"captured in {kind}"][0].size
+        numbers[f"matches of {kind}"] = each[0].log()["matches"][-1] + played
     for world in dict.fromkeys(kind.split("; ")[0] for kind in runs):
         best = best_scripts(WorldConfig.of(world), episodes=QUICK_EPISODES if quick else EPISODES)
         for team, script in best.items():
@@ -152,8 +150,7 @@ def table(numbers: Numbers) -> str:
         best = [" ".join(reversed(numbers[f"{world}: {team}"])) for team in TEAMS]
         rows.append([f"{world}; best scripts", "", "", *best, "", "", ""])
         for kind in kinds:
-            rates = numbers[f"captured in {kind}"] / np.float32(numbers[f"evaders of {kind}"])
-            found, single = judged(rates)
+            found, single = judged(rates(numbers, kind))
             counts = [" / ".join(map(str, each)) for each in (single[:, 0], single[-1, 1:])]
             scores = [cell_of_scores(numbers, kind, team) for team in TEAMS]
             count = str(len(numbers[f"{kind} / pursuer"]))

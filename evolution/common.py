@@ -230,6 +230,21 @@ def by_seed(runs: Runs, measure: Measure) -> dict[str, Any]:
     return numbers
 
 
+def payoffs_of(kind: str, runs: list[SavedRun]) -> dict[str, Any]:
+    """Return the payoffs of the races of a kind, to be judged by the rules of the day: `rates`."""
+    scores, evaders = (
+        np.stack([run.payoff().scores for run in runs]),
+        runs[0].settings.game.world.n_evaders,
+    )
+    captured = np.rint(scores * evaders).astype(np.uint8)
+    return {f"captured in {kind}": captured, f"evaders of {kind}": evaders}
+
+
+def rates(numbers: Numbers, kind: str) -> NDArray[np.float32]:
+    """Return the capture rates of single episodes of a kind, (seeds, G, H, episodes)."""
+    return np.asarray(numbers[f"captured in {kind}"] / np.float32(numbers[f"evaders of {kind}"]))
+
+
 def of_each(measure: Measure) -> Callable[[Runs, bool], Numbers]:
     """Return what `experiment` measures if each run is measured by itself."""
     return lambda runs, quick: by_seed(runs, measure)

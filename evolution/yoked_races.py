@@ -5,8 +5,8 @@
 
 In a yoked race the opponents are replayed from the race of the next seed: they change as in a race,
 but do not answer, a yoked control (Held and Hein 1963). Both kinds begin with the same genomes.
-Runs are kept in ``--runs``; an interrupted script continues where it
-stopped.
+Payoffs are kept, so that a new table judges them by the rules of its day. Runs are kept in
+``--runs``; an interrupted script continues where it stopped.
 
 In the payoff matrix of a yoked race strangers meet, in that of a race the teams that trained with
 each other. Other numbers compare like with like. Gains against the opponents that were *met*, which
@@ -42,6 +42,8 @@ from common import (
     experiment,
     kinds_in,
     markdown,
+    payoffs_of,
+    rates,
     scores_against,
     shown_p,
     solved,
@@ -184,11 +186,11 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     for kind, each in runs.items():
         world = kind.split(",")[0]
         races = runs[kind.removesuffix(YOKED).removesuffix(RACE) + RACE]
-        rates = np.stack([run.payoff().scores for run in each])
+        numbers |= payoffs_of(kind, each)
         met = [*races[1:], races[0]] if kind.endswith(YOKED) else races
         for team in TEAMS:
             of_team = {
-                "gain": [gain(each, team) for each in rates],
+                "gain": [gain(scores, team) for scores in rates(numbers, kind)],
                 "met": [gain_against_met(team, *pair) for pair in zip(each, met, strict=True)],
                 "common": [against_common(team, seed, run, races) for seed, run in enumerate(each)],
             }
@@ -285,7 +287,21 @@ def of_world(numbers: Numbers, world: str) -> str:
         rows.append([NAMES[name], *map(written, means), *told])
     count = len(differences[names[0]])
     heads = [f"mean over {count} seeds [95%]", RACE, YOKED, "difference", "Holm |"]
-    return f"### {world}\n\n{markdown(heads, rows)}"
+    judged = {
+        kind: analysis.judge(rates(numbers, f"{world}, {kind}"), per_episode=True).windows["whole"]
+        for kind in (RACE, YOKED)
+    }
+    verdicts = [
+        [name, *(
+            f"{of_kind[name].verdict}; {of_kind[name].by_run.count('present')} of {count}"
+            for of_kind in judged.values()
+        )]
+        for name in judged[RACE]
+    ]  # fmt: skip
+    told = "judgement of all seeds, whole race; seeds in which it is present"
+    return "\n\n".join(
+        [f"### {world}", markdown(heads, rows), markdown([told, RACE, YOKED], verdicts)]
+    )
 
 
 if __name__ == "__main__":
