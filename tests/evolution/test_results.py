@@ -88,7 +88,7 @@ ROUNDED = {
 """Tables with numbers that another processor or SciPy may round otherwise."""
 LONG = ROUNDED | {
     "balanced_races/table.md", "coverage/table.md", "judgement/errors.md",
-    "perfect_learners/table.md",
+    "perfect_learners/table.md", "yoked_races/table.md",
 }  # fmt: skip
 """Tables that take seconds."""
 
