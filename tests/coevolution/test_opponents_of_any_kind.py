@@ -6,9 +6,10 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import RaceSettings, create, finish
+from matrixworld.coevolution.evaluation.scores import opponents_in
 from matrixworld.explorer.teams import plain_game, plain_team
 from matrixworld.play.player import PythonFile
-from tiny_race import tiny_single
+from tiny_race import Listening, check_resumes, played, results, tiny_single
 
 PROGRAM = """
 def evade(view, rng):
@@ -112,3 +113,47 @@ def test_settings_are_found_from_everywhere(file, monkeypatch):
     assert named.with_absolute_paths().schedule.opponent == str(file)
     line = named.changed({"schedule.opponent": "0.3 * teammate - adversary"})
     assert line.with_absolute_paths() == line
+
+
+SCRIPTS = ("random", "still")
+EXACT = {"learner.measure": "guarantee", "schedule.opponent": "best-response", "train_steps": 200}
+
+
+def test_a_team_learns_against_scripts_in_turn_and_is_evaluated_against_the_opponent(tmp_path):
+    play = Listening()
+    alone = tiny_single(opponent="fleer", training_opponents=SCRIPTS)
+    run = played(alone, tmp_path / "run", play)
+    assert [evaders for _, _, evaders, *_ in play.calls] == [
+        "random", "still", "random", "still", "random", "fleer",
+    ]  # fmt: skip
+    assert RaceSettings.from_json(run.settings.to_json()) == alone
+    told, left_out = opponents_in(run, "pursuer", run.settings.game.world)
+    assert not {*SCRIPTS} & {*told}
+    assert "fleer" in told
+    assert "not random: the run trained against it" in left_out
+
+
+def test_a_single_script_of_training_is_the_opponent(tmp_path):
+    played(tiny_single(), tmp_path / "plain")
+    played(tiny_single(training_opponents=("random",)), tmp_path / "one")
+    plain, one = results(tmp_path / "plain"), results(tmp_path / "one")
+    assert plain.pop("config.json") != one.pop("config.json")
+    assert plain == one
+
+
+@pytest.mark.parametrize("call", [2, 3])
+def test_scripts_of_training_go_on_in_turn_after_a_stop(call, tmp_path):
+    check_resumes(tiny_single(training_opponents=SCRIPTS), call, tmp_path / "run")
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"training_opponents": ("nobody",)}, "a sequence of names of scripts, got "),
+        ({"training_opponents": ("careful-fleer",)}, "schedule.training_opponents: expected "),
+        ({"training_opponents": SCRIPTS, "evaluation_episodes": 1, **EXACT, **SMALL}, "no effect"),
+    ],
+)
+def test_scripts_of_training_that_are_refused(changes, said):
+    with pytest.raises(ValueError, match=said):
+        tiny_single(**changes)

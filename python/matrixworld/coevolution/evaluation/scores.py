@@ -234,10 +234,11 @@ def opponents_in(
     """Return what `opponents_of` returns, without an opponent that the run trained against."""
     opponents, left_out = opponents_of(scored_team, world)
     schedule = run.settings.schedule
-    if isinstance(schedule, Against) and schedule.opponent in opponents:
-        del opponents[schedule.opponent]
-        seen = f"not {schedule.opponent}: the run trained against it"
-        left_out = f"{seen}; {left_out}" if left_out else seen
+    if isinstance(schedule, Against):
+        met = schedule.training_opponents or (schedule.opponent,)
+        for name in [name for name in met if opponents.pop(name, None) is not None]:
+            seen = f"not {name}: the run trained against it"
+            left_out = f"{seen}; {left_out}" if left_out else seen
     return opponents, left_out
 
 

@@ -279,12 +279,14 @@ class RaceSettings(Section):
         if self.game.symmetric:
             yield "schedule.evaders_meet", "in a game of one population"
         if not isinstance(self.game, PursuitSettings):
+            yield "schedule.training_opponents", "in a game of your own"
             for path in learners:
                 yield f"{path}.measure", "in a game of your own"
                 yield f"{path}.cost_limit", "in a game of your own"
             return
         if self.exact:
-            for name in ("train_steps", *(f"{path}.cost_limit" for path in learners)):
+            costs = (f"{path}.cost_limit" for path in learners)
+            for name in ("train_steps", "schedule.training_opponents", *costs):
                 yield name, f"with the measure {GUARANTEE}"
         policy = self.game.policy
         if isinstance(policy, Cells) and not policy.hidden:
@@ -301,6 +303,8 @@ class RaceSettings(Section):
             raise SettingError("schedule", "a race of two teams in pursuit", SelfPlay.kind)
         if isinstance(self.schedule, Against):
             game.check_script("schedule.opponent", self.schedule.opponent)
+            for script in self.schedule.training_opponents:
+                game.check_script("schedule.training_opponents", script)
         if self.exact:
             check_guarantee(game)
             self._check_one_episode(f"with the measure {GUARANTEE}")

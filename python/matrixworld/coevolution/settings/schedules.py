@@ -24,7 +24,7 @@ from abc import abstractmethod
 from pathlib import Path
 from typing import ClassVar
 
-from matrixworld._util.constraints import OneOf, Whole
+from matrixworld._util.constraints import Items, OneOf, Whole
 from matrixworld._util.sections import (
     Section,
     SettingError,
@@ -294,7 +294,8 @@ class Against(Schedule):
     ::
 
         for k in 1 .. epochs / archive_every:
-            g[k] = g[k-1], improved for `archive_every` epochs against each opponent in turn
+            g[k] = g[k-1], improved for `archive_every` epochs against each opponent in turn, or
+                   each of the training opponents
         payoff = capture rate of the last genome against, or of, each opponent
 
     With the learner's measure ``guarantee`` the opponent is the best response to each candidate, in
@@ -312,6 +313,12 @@ class Against(Schedule):
         f"{', '.join(SCRIPTS)}, a run directory (its last generation), or another player: a file "
         f"(.py, .npz, .txt), solved, or a line such as -adversary; {BEST_RESPONSE} with the "
         "measure guarantee",
+    )
+    training_opponents: tuple[str, ...] = setting(
+        (),
+        "scripts against which the team learns, in each epoch the next one, while it is evaluated "
+        "against the opponent; none: it learns against the opponent",
+        Items(OneOf(SCRIPTS), "a sequence of names of scripts"),
     )
     start: str | None = setting(
         None, "run directory; start from its last generation instead of an untrained genome"

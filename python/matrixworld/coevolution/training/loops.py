@@ -64,7 +64,8 @@ def improve(
     activity: str,
 ) -> Genome:
     """Let a team learn for some epochs against `count` opponents each; return its genome."""
-    opponents = training.opponents(team)
+    rivals = training.opponents(team)
+    scripts = getattr(training.settings.schedule, "training_opponents", ())
     n = len(training.learners[team].seed_groups)
 
     def table(values: FloatArray) -> FloatArray:
@@ -74,6 +75,7 @@ def improve(
         training.begin_epoch(team, generation, epoch)
         candidates = training.ask(team, generation, epoch)
         rng = training.generator(seeding.Purpose.OPPONENTS, team, generation, epoch)
+        opponents = scripts[epoch % len(scripts)] if scripts else rivals
         met = training.sample(team, types.team_size(opponents), count, epoch, rng)
         seeds = match_seeds(training, team, generation, epoch, met)
         scores = training.play_candidates(team, candidates, opponents, met, seeds)
@@ -329,7 +331,8 @@ def learn_against(training: Training, stage: int) -> None:
     assert isinstance(schedule, Against)
     first = stage * schedule.archive_every
     epochs = range(first, first + schedule.epochs_in(stage))
-    activity = f"{training.name_of(schedule.team)} against {schedule.opponent}"
+    met = " and ".join(schedule.training_opponents) or schedule.opponent
+    activity = f"{training.name_of(schedule.team)} against {met}"
     genome = improve(training, schedule.team, 1 + stage, 1, epochs, activity)
     training.archive_genome(schedule.team, genome)
 
