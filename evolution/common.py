@@ -25,8 +25,18 @@ from matrixworld._util.checks import check_threads
 from matrixworld._util.files import read_json, save_json
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
-from matrixworld.coevolution import RaceSettings, Run, SavedRun, Team, create, finish, tournament
+from matrixworld.coevolution import (
+    RaceSettings,
+    Run,
+    SavedRun,
+    Team,
+    create,
+    finish,
+    open_run,
+    tournament,
+)
 from matrixworld.coevolution.games.pursuit import OVERLAP_PENALTY, Pursuit
+from matrixworld.coevolution.runs.places import find_runs
 from matrixworld.plots import save_figure
 from matrixworld.solver import Solution, best_response, solve
 
@@ -338,6 +348,14 @@ def finish_all(
     for future in playing:
         future.result()
     return {name: SavedRun(root / name) for name in settings}
+
+
+def learned_in(directory: Path) -> list[mw.Population]:
+    """Return the last pursuers of each run in a directory."""
+    teams = [open_run(path).last("pursuer") for path in find_runs(directory)]
+    if not teams:
+        raise FileNotFoundError(f"{directory}: expected directories of finished runs, got none")
+    return teams
 
 
 def kept(file: Path, measure: Callable[[], Mapping[str, Any]]) -> dict[str, Any]:

@@ -20,17 +20,16 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from common import markdown, script_parser, write_json
+from common import learned_in, markdown, script_parser, write_json
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.masks import right_of_way_cells
 from matrixworld.world.policy import TeamPolicy
-from scripted_pursuit import Kind, learned_in, teams_of
 
 SIDE, WINDOW, EPISODES = 24, 20, 20
 FIRST_SEED = 2 * 10**6
@@ -52,10 +51,49 @@ def grounds() -> dict[str, float | NDArray[np.bool_]]:
     }
 
 
-def is_stuck(repeats: NDArray[np.bool_], possible: NDArray[np.bool_]) -> bool:
-    """Return whether steps repeat earlier ones throughout a window that ends short of a capture."""
-    runs = np.convolve(repeats, np.ones(WINDOW, int))[: len(repeats)]
-    return bool(((runs == WINDOW) & possible).any())
+class Looked(NamedTuple):
+    """What an episode looks like step by step: T moments, A agents, of them n pursuers."""
+
+    positions: NDArray[np.int64]
+    """Cells (T, A, 2) of all agents."""
+    open_sides: NDArray[np.bool_]
+    """Which sides (T, evaders, 4) of evaders are free: no obstacle and no agent."""
+    rests: NDArray[np.bool_]
+    """Which pursuers (T - 1, n) stay in a step."""
+
+    @classmethod
+    def of(cls, positions: NDArray[Any], obstacles: NDArray[Any], n_pursuers: int) -> Looked:
+        """Look at the positions (T, A, 2) of living agents among obstacles (rows, cols)."""
+        at = positions.astype(int)
+        rows, cols = obstacles.shape
+        taken = np.ones((len(at), rows + 2, cols + 2), bool)
+        taken[:, 1:-1, 1:-1] = obstacles != 0
+        each = np.arange(len(at))[:, None]
+        taken[each, at[..., 0] + 1, at[..., 1] + 1] = True
+        beside = at[:, n_pursuers:, None] + MOVES[1:5]
+        free = ~taken[each[..., None], beside[..., 0] + 1, beside[..., 1] + 1]
+        return cls(at, free, (at[1:, :n_pursuers] == at[:-1, :n_pursuers]).all(-1))
+
+    @property
+    def freezes(self) -> bool:
+        """Whether no pursuer moves for a window of steps while an evader has an open side."""
+        return self._repeats(np.concatenate([[False], self.rests.all(1)]))
+
+    @property
+    def livelocks(self) -> bool:
+        """Whether pursuers move and all agents repeat their positions throughout a window."""
+        at = self.positions
+        moves = np.concatenate([[False], ~self.rests.all(1)])
+        return any(
+            self._repeats(np.concatenate([np.zeros(p, bool), same]))
+            for p in range(2, min(WINDOW + 1, len(at)))
+            if (same := (at[p:] == at[:-p]).all((1, 2)) & moves[p:]).any()
+        )
+
+    def _repeats(self, repeats: NDArray[np.bool_]) -> bool:
+        """Return whether steps repeat earlier ones throughout a window that ends uncaptured."""
+        runs = np.convolve(repeats, np.ones(WINDOW, int))[: len(repeats)]
+        return bool(((runs == WINDOW) & self.open_sides.any((1, 2))).any())
 
 
 def measures(
@@ -63,28 +101,14 @@ def measures(
 ) -> tuple[float, ...]:
     """Return the measures of an episode."""
     played = mw.record(config, pursuers, evaders, seed=seed)
-    at = played.positions.astype(int)
     n = config.n_pursuers
-    taken = np.zeros((len(at), SIDE + 2, SIDE + 2), bool)
-    taken[:, [0, -1], :] = taken[:, :, [0, -1]] = True
-    taken[:, 1:-1, 1:-1] = played.map != 0
-    each = np.arange(len(at))[:, None]
-    taken[each, at[..., 0] + 1, at[..., 1] + 1] = True
-    beside = at[:, n:, None] + MOVES[1:5]
-    free = ~taken[each[..., None], beside[..., 0] + 1, beside[..., 1] + 1]
-    possible = free.any((1, 2))
-    rests = (at[1:, :n] == at[:-1, :n]).all(-1)
+    looked = Looked.of(played.positions, played.map, n)
+    at = looked.positions
     near = (abs(at[:, :n, None] - at[:, None, n:]).sum(-1) == 1).any(-1)
-    waits = float((rests & ~near[:-1]).sum() / max(1, (~near[:-1]).sum()))
-    moves = ~np.concatenate([[True], rests.all(1)])
-    livelock = any(
-        is_stuck(np.concatenate([np.zeros(p, bool), same]), possible)
-        for p in range(2, min(WINDOW + 1, len(at)))
-        if (same := (at[p:] == at[:-p]).all((1, 2)) & moves[p:]).any()
-    )
-    freezes = is_stuck(~moves, possible)
-    captured = 1.0 - free.any(2)[-1].mean()
-    return captured, len(at) - 1, waits, freezes, livelock, int(played.fault[:, :n].any(-1).sum())
+    waits = float((looked.rests & ~near[:-1]).sum() / max(1, (~near[:-1]).sum()))
+    captured = 1.0 - looked.open_sides.any(2)[-1].mean()
+    faults = int(played.fault[:, :n].any(-1).sum())
+    return captured, len(at) - 1, waits, looked.freezes, looked.livelocks, faults
 
 
 def admitted(diagonal: bool, step: int | None) -> dict[int, list[int]]:
@@ -145,7 +169,7 @@ def main() -> None:
     args = parser.parse_args()
     pursuers: dict[str, Sequence[TeamPolicy]] = {name: [name] for name in SCRIPTS}
     if args.learned is not None:
-        pursuers["learned"] = teams_of(Kind("learned", learned_in(args.learned)))
+        pursuers["learned"] = learned_in(args.learned)
     rows = []
     for (ground, obstacles), (name, teams), evaders in itertools.product(
         grounds().items(), pursuers.items(), EVADERS

@@ -1,8 +1,7 @@
 """Scripted pursuers that surround without collisions, beside published ones.
 
-    python evolution/scripted_pursuit.py                      half an hour of one core
-    python evolution/scripted_pursuit.py --learned DIRECTORY  with the pursuers of all runs in it
-    python evolution/scripted_pursuit.py --quick              the smallest levels, some seconds
+    python evolution/scripted_pursuit.py           half an hour of one core
+    python evolution/scripted_pursuit.py --quick   the smallest levels, some seconds
 
 The levels are those of FSC2 (Sun et al., 2022, "Toward multi-target self-organizing pursuit in a
 partially observable Markov game", arXiv:2206.12330): pursuers with a view of 11 x 11 cells and
@@ -12,7 +11,8 @@ repository (LijunSun90/pursuitFSC2 at 604cab1e) that each is from. Here all act 
 (SB), and evaders play a script. The *authors' setting* is theirs but for one thing: their
 evaders act before the pursuers of a step, here they act after them. Evaders move one by one to a
 free cell beside them, drawn at random; all four neighbours of a captured evader are taken, by
-whatever it is; and an episode ends when all evaders are captured at one moment.
+whatever it is; and an episode ends when all evaders are captured at one moment. `one_team` plays
+the same levels with pursuers that have learned.
 
 Look at the captures in the last step and at the steps, and at the collisions: agent-steps of
 pursuers at fault. ``--results`` receives the numbers and the table.
@@ -28,12 +28,11 @@ from time import process_time
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 from tqdm import tqdm
 
 import matrixworld as mw
 from common import markdown, mean, script_parser, write_json
-from matrixworld.coevolution import open_run
-from matrixworld.coevolution.runs.places import find_runs
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.policy import TeamPolicy
 
@@ -100,8 +99,6 @@ class Row(NamedTuple):
     """Agent-steps of pursuers at fault, in all episodes."""
     seconds: float
     """Of an episode, on one core."""
-    teams: int = 1
-    """Learned teams, which play the episodes in turn."""
 
 
 Rows: TypeAlias = dict[str, dict[Level, Row]]
@@ -109,54 +106,59 @@ Rows: TypeAlias = dict[str, dict[Level, Row]]
 
 def play(kind: Kind, level: Level, episodes: int) -> Row:
     """Play the episodes of a row."""
-    if kind.authors:
-        return authors_row(kind, level, episodes)
-    config = mw.WorldConfig(
-        kind.variant, size=level.side, n_pursuers=level.pursuers, n_evaders=level.evaders,
-        max_steps=STEPS, obstacles=kind.obstacles,
-    )  # fmt: skip
     begun, numbers = process_time(), np.arange(episodes)
-    matches = mw.Matches.of(numbers % len(teams_of(kind)), 0, FIRST_SEED + numbers)
-    played = mw.rollout(config, kind.pursuers, kind.evaders, matches, threads=1)
-    return Row(
-        np.round(played.capture_rate[:, 0].astype(float), 6).tolist(),
-        played.length[:, 0].tolist(),
-        int(played.faults[:, :, 0].sum()),
-        round((process_time() - begun) / episodes, 4),
-        len(teams_of(kind)),
+    if kind.authors:
+        played = [authors_episode(level, kind.pursuers, FIRST_SEED + k) for k in numbers]
+        faults = sum(each.faults for each in played)
+        captured, steps = [each.captured for each in played], [each.steps for each in played]
+    else:
+        config = world_of(level, kind.variant, kind.obstacles)
+        matches = mw.Matches.of(0, 0, FIRST_SEED + numbers)
+        told = mw.rollout(config, kind.pursuers, kind.evaders, matches, threads=1)
+        captured = np.round(told.capture_rate[:, 0].astype(float), 6).tolist()
+        steps, faults = told.length[:, 0].tolist(), int(told.faults[:, :, 0].sum())
+    return Row(captured, steps, faults, round((process_time() - begun) / episodes, 4))
+
+
+def world_of(level: Level, variant: str = "SB", obstacles: float = 0.0) -> mw.WorldConfig:
+    """Return the world of a level."""
+    side, n, m = level
+    return mw.WorldConfig(
+        variant, size=side, n_pursuers=n, n_evaders=m, max_steps=STEPS, obstacles=obstacles
     )
 
 
-def teams_of(kind: Kind) -> list[TeamPolicy]:
-    """Return the teams of pursuers of a kind, one by one."""
-    if not isinstance(kind.pursuers, mw.Population):
-        return [kind.pursuers]
-    return [mw.Population(genome, kind.pursuers.policy) for genome in kind.pursuers.genomes]
+class Played(NamedTuple):
+    """An episode of T steps."""
+
+    captured: float
+    """Share of the evaders that is captured in the last step."""
+    steps: int
+    faults: int
+    """Agent-steps of pursuers at fault."""
+    positions: NDArray[Any]
+    """Cells (T + 1, agents, 2)."""
 
 
-def authors_row(kind: Kind, level: Level, episodes: int) -> Row:
-    """Play the episodes of a row in the authors' setting."""
+def authors_episode(level: Level, pursuers: TeamPolicy, seed: int) -> Played:
+    """Play an episode in the authors' setting."""
     bounce, reach = mw.Outcome.BOUNCE, mw.Outcome.REACH
     rules = mw.Rules(mw.Interaction.SWARM_TURNS, bounce, bounce, bounce, reach, mw.Capture.SURROUND)
     side, n, m = level
     world = mw.World(rules, size=side, n_pursuers=n, n_evaders=m, max_steps=STEPS)
-    captured, steps, faults, begun, teams = [], [], 0, process_time(), teams_of(kind)
-    for episode in range(episodes):
-        world.reset(seed=FIRST_SEED + episode)
-        rng = np.random.default_rng(FIRST_SEED + episode)
-        share = 0.0
-        while share < 1.0 and not (world.terminated or world.truncated):
-            actions = np.zeros(n + m, np.int64)
-            world.decide(teams[episode % len(teams)], range(n), actions)
-            world.play_turn(actions)
-            actions[n:] = open_moves(world.positions, n, side, rng)
-            world.play_turn(actions)
-            faults += int(world.fault[:n].any(axis=1).sum())
-            share = float(np.mean([not free for free in sides(world.positions, n, side)]))
-        captured.append(share)
-        steps.append(int(world.steps))
-    seconds = round((process_time() - begun) / episodes, 4)
-    return Row(captured, steps, faults, seconds, len(teams))
+    world.reset(seed=int(seed))
+    rng = np.random.default_rng(int(seed))
+    share, faults, positions = 0.0, 0, [world.positions.copy()]
+    while share < 1.0 and not (world.terminated or world.truncated):
+        actions = np.zeros(n + m, np.int64)
+        world.decide(pursuers, range(n), actions)
+        world.play_turn(actions)
+        actions[n:] = open_moves(world.positions, n, side, rng)
+        world.play_turn(actions)
+        faults += int(world.fault[:n].any(axis=1).sum())
+        share = float(np.mean([not free for free in sides(world.positions, n, side)]))
+        positions.append(world.positions.copy())
+    return Played(share, int(world.steps), faults, np.stack(positions))
 
 
 def sides(positions: np.ndarray, n_pursuers: int, side: int) -> list[list[int]]:
@@ -239,24 +241,12 @@ def cell(row: Row | None) -> str:
     """Return captures and steps of a row as text."""
     if row is None:
         return ""
-    told = f"{np.mean(row.captured):.4g} / {mean(row.steps, 0, bounds=(0.0, float(STEPS)))}"
-    if row.teams == 1:
-        return told
-    worst = min(np.mean(row.captured[team :: row.teams]) for team in range(row.teams))
-    return f"{told}; worst team {worst:.4g}"
+    return f"{np.mean(row.captured):.4g} / {mean(row.steps, 0, bounds=(0.0, float(STEPS)))}"
 
 
 def faults_of(rows: Mapping[Level, Row]) -> int:
     """Return the agent-steps of pursuers at fault in all rows."""
     return sum(row.faults for row in rows.values())
-
-
-def learned_in(directory: Path) -> mw.Population:
-    """Return the last pursuers of all runs in a directory."""
-    last = [open_run(path).last("pursuer") for path in find_runs(directory)]
-    if not last:
-        raise FileNotFoundError(f"{directory}: expected directories of finished runs, got none")
-    return mw.Population(np.concatenate([team.genomes for team in last]), last[0].policy)
 
 
 def rows_of(kinds: Iterable[Kind], levels: Iterable[Level], quick: bool) -> Rows:
@@ -293,14 +283,8 @@ def read_rows(text: str) -> Rows:
 def main() -> None:
     """Play all rows; print and write them."""
     parser = script_parser(__doc__, quick="the smallest levels, two episodes each")
-    parser.add_argument("--learned", type=Path, help="a directory of runs: their last pursuers")
     args = parser.parse_args()
-    kinds = list(KINDS)
-    if args.learned is not None:
-        learned = learned_in(args.learned)
-        kinds.append(Kind("learned, SB", learned, every=True))
-        kinds.append(Kind("learned, the authors' setting", learned, authors=True, every=True))
-    rows = rows_of(kinds, SOME[:2] if args.quick else published(), args.quick)
+    rows = rows_of(KINDS, SOME[:2] if args.quick else published(), args.quick)
     write_json(args.results, plain_rows(rows), table(rows))
 
 

@@ -27,6 +27,7 @@ import look_for_inputs
 import map_races
 import mask_price
 import matrixworld as mw
+import one_team
 import page_races
 import paper_claims
 import paper_surrounding
@@ -76,6 +77,7 @@ TABLES = {
         for script in (look_for_inputs, readable_price)
     },
     "mask_price/table.md": lambda at: mask_price.table(json.loads(read(at / "numbers.json"))),
+    "one_team/table.md": lambda at: one_team.table(one_team.read_rows(read(at / "numbers.json"))),
     "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(
         scripted_pursuit.read_rows(read(at / "numbers.json"))
     ),
