@@ -1,7 +1,7 @@
 """Who waits for whom? Teams with right of way that rest or go in circles, and groups at one cell.
 
     python evolution/liveness.py                      a few minutes of one core
-    python evolution/liveness.py --learned DIRECTORY  with the pursuers of all runs in it
+    python evolution/liveness.py --learned DIRECTORY  with the pursuers of all runs in each
     python evolution/liveness.py --quick              two episodes of each
 
 Careful scripts pursue on 24 x 24 cells that are open, random obstacles, rooms with doors two cells
@@ -165,11 +165,11 @@ def table(rows: Sequence[Mapping[str, Any]]) -> str:
 def main() -> None:
     """Play all; print and write the tables."""
     parser = script_parser(__doc__, quick="two episodes of each")
-    parser.add_argument("--learned", type=Path, help="a directory of runs: their last pursuers")
+    told = "directories of runs: their last pursuers, called as the directory"
+    parser.add_argument("--learned", type=Path, nargs="+", default=[], help=told)
     args = parser.parse_args()
     pursuers: dict[str, Sequence[TeamPolicy]] = {name: [name] for name in SCRIPTS}
-    if args.learned is not None:
-        pursuers["learned"] = learned_in(args.learned)
+    pursuers |= {directory.name: learned_in(directory) for directory in args.learned}
     rows = []
     for (ground, obstacles), (name, teams), evaders in itertools.product(
         grounds().items(), pursuers.items(), EVADERS

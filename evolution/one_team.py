@@ -3,13 +3,15 @@
     python evolution/one_team.py           learns and tests: an hour of one core
     python evolution/one_team.py --quick   two epochs and the smallest level, some seconds
 
-Teams are runs of ``one_team.toml``. They play the levels of `scripted_pursuit` in both of its
-settings, also without their given plan of search, whose weights are 0 then, and at five levels meet
-evaders that stand still, flee or dodge. Look at the captures in the last step, the steps, the
-episodes that freeze or are in a livelock (`liveness`), and the agent-steps of pursuers at fault.
+Teams are runs of ``one_team.toml``, which meet evaders that move at random, and of
+``one_team_still.toml``, which mostly meet evaders that stand still. They play the levels of
+`scripted_pursuit` in both of its settings, also without their given plan of search, whose weights
+are 0 then, and at five levels meet evaders that stand still, flee or dodge. Look at the captures in
+the last step, the steps, the episodes that freeze or are in a livelock (`liveness`), and the
+agent-steps of pursuers at fault.
 
 ``--results`` receives the numbers, the table and the teams. Rows that are there are not played
-again.
+again. The first runs of ``one_team.toml`` were not kept: only their captures, steps and faults.
 """
 
 from __future__ import annotations
@@ -24,17 +26,19 @@ from tqdm import tqdm
 
 import matrixworld as mw
 import scripted_pursuit as scripted
-from common import finish_all, markdown, mean, script_parser, write_json
+from common import finish_all, markdown, mean, script_parser, slug, write_json
 from liveness import Looked
 from matrixworld._util.files import load_toml
 from matrixworld.coevolution import RaceSettings
 from matrixworld.world.policy import TeamPolicy
 from scripted_pursuit import BEST, FIRST_SEED, SOME, STEPS, Level, Played
 
-CONFIG = Path(__file__).with_suffix(".toml")
 QUICK = {"schedule.epochs": 2, "match_episodes": 1, "train_steps": 20}
-LEARNED, NO_PLAN = "learned", "learned, no plan"
-SEEDS = range(5)
+LEARNED, STILL = "learned", "learned, still evaders too"
+SETTINGS = {LEARNED: ("one_team.toml", 5), STILL: ("one_team_still.toml", 3)}
+"""Files of settings, and numbers of seeds."""
+SHORT = {"random": LEARNED, "still": STILL}
+"""Names of kinds on the command line, by the evaders of which they learn."""
 AUTHORS, SB = "the authors' setting", "SB"
 EVADERS = "random", "still", "fleer", "dodger"
 
@@ -67,15 +71,22 @@ def episodes_of(level: Level) -> int:
     return 90 if level.pursuers < 512 else 24 if level.pursuers < scripted.MANY else 12
 
 
-def cases() -> list[tuple[str, str, str, Level]]:
+def without_plan(kind: str) -> str:
+    """Return what teams of a kind are called without the plan of search."""
+    return f"{kind}, no plan"
+
+
+def cases(kinds: Iterable[str]) -> list[tuple[str, str, str, Level]]:
     """Return pursuers, setting, evaders and level of each row."""
     every = tuple(scripted.published())
     # In crowds evaders are always in view.
     small = tuple(at for at in every if at.side == SOME[0].side and at.pursuers <= 256)
-    found = [(LEARNED, setting, "random", at) for setting in (AUTHORS, SB) for at in every]
-    found += [(NO_PLAN, setting, "random", at) for setting in (AUTHORS, SB) for at in small]
-    found += [(LEARNED, SB, evaders, at) for evaders in EVADERS[1:] for at in SOME]
-    found += [(BEST, SB, evaders, at) for evaders in EVADERS for at in SOME]
+    found = [(BEST, SB, evaders, at) for evaders in EVADERS for at in SOME]
+    for kind in kinds:
+        found += [(kind, setting, "random", at) for setting in (AUTHORS, SB) for at in every]
+        found += [(kind, SB, evaders, at) for evaders in EVADERS[1:] for at in SOME]
+        no_plan = without_plan(kind)
+        found += [(no_plan, setting, "random", at) for setting in (AUTHORS, SB) for at in small]
     return sorted(found, key=lambda case: case[3].pursuers)
 
 
@@ -103,18 +114,21 @@ def episode_of(setting: str, evaders: str, level: Level, team: TeamPolicy, seed:
     return Played(float(played.capture_rate), len(played.positions) - 1, faults, played.positions)
 
 
-def teams_of(runs: Path, threads: int | None, quick: bool) -> dict[str, list[TeamPolicy]]:
-    """Return the teams of each kind, which learn first where they have not."""
-    settings = RaceSettings.of(load_toml(CONFIG)).changed(QUICK if quick else {})
-    seeds = SEEDS[:1] if quick else SEEDS
-    planned = {f"seed-{seed}": settings.changed({"seed": seed}) for seed in seeds}
-    played = finish_all(planned, runs, threads=threads)
-    learned = [run.last("pursuer") for run in played.values()]
-    without = [
-        mw.Population(team.policy.without(team.genomes[0], "search"), team.policy)
-        for team in learned
-    ]
-    return {BEST: [BEST], LEARNED: learned, NO_PLAN: without}
+def teams_of(kind: str, runs: Path, threads: int | None, quick: bool) -> list[mw.Population]:
+    """Return the teams of a kind, which learn first where they have not."""
+    file, seeds = SETTINGS[kind]
+    settings = RaceSettings.of(load_toml(Path(__file__).with_name(file)))
+    settings = settings.changed(QUICK if quick else {})
+    planned = {
+        f"{slug(kind)}/seed-{seed}": settings.changed({"seed": seed})
+        for seed in range(1 if quick else seeds)
+    }
+    return [run.last("pursuer") for run in finish_all(planned, runs, threads=threads).values()]
+
+
+def without(team: mw.Population) -> mw.Population:
+    """Return a team whose ratings do not read the plan of search."""
+    return mw.Population(team.policy.without(team.genomes[0], "search"), team.policy)
 
 
 # What the rows say:
@@ -123,7 +137,8 @@ def teams_of(runs: Path, threads: int | None, quick: bool) -> dict[str, list[Tea
 def table(rows: Iterable[Row]) -> str:
     """Return what all pursuers reach: at every level in both settings, and with other evaders."""
     known = {row.key: row for row in rows}
-    kinds = list(dict.fromkeys(row.pursuers for row in known.values() if row.pursuers != BEST))
+    named = [name for kind in SETTINGS for name in (kind, without_plan(kind))]
+    kinds = [name for name in named if any(row.pursuers == name for row in known.values())]
     looked = [row for row in known.values() if row.freezes is not None]
     parts = [
         "Both settings side by side, 40 x 40 cells, evaders at random: captured in the last step / "
@@ -152,15 +167,16 @@ def table(rows: Iterable[Row]) -> str:
 
 def side_by_side(known: Mapping[tuple[Any, ...], Row]) -> str:
     """Return what is published beside learned teams in both settings, at the nine levels."""
+    ours = [(kind, setting) for kind in SETTINGS for setting in (AUTHORS, SB)]
     lines = []
     for at in nine():
         values = scripted.published()[at]
         _, best = max((told[0], name) for name, told in values.items() if name != "FSC2")
         told = [f"{values[name][0]:.3g} / {values[name][1]:.0f}" for name in ("FSC2", best)]
-        ours = [known.get((LEARNED, setting, "random", at)) for setting in (AUTHORS, SB)]
-        lines.append([str(at), told[0], f"{told[1]} ({best})", *map(cell, ours)])
+        found = [known.get((kind, setting, "random", at)) for kind, setting in ours]
+        lines.append([str(at), told[0], f"{told[1]} ({best})", *map(cell, found)])
     heads = ["", "FSC2, published", "best learner, published"]
-    return markdown([*heads, *(f"{LEARNED}, {setting}" for setting in (AUTHORS, SB))], lines)
+    return markdown([*heads, *(f"{kind}; {setting}" for kind, setting in ours)], lines)
 
 
 def nine() -> list[Level]:
@@ -197,7 +213,8 @@ def of_crowds(rows: Sequence[Row]) -> str:
     lines = [
         [evaders, kind, *(of_crowd(found.get((kind, SB, evaders, at))) for at in SOME)]
         for evaders in EVADERS
-        for kind in (BEST, LEARNED)
+        for kind in (BEST, *SETTINGS)
+        if any(row.pursuers == kind for row in rows)
     ]
     return markdown(["evaders", "pursuers", *map(str, SOME)], lines)
 
@@ -263,13 +280,19 @@ def main() -> None:
     """Let the teams learn, play all rows, and write them."""
     parser = script_parser(__doc__, quick="two epochs and the smallest level", runs=True)
     parser.add_argument("--threads", type=int, help="for training; default: one for each core")
+    parser.add_argument("--kinds", nargs="+", choices=SHORT, default=[*SHORT], help="default: all")
     args = parser.parse_args()
-    teams = teams_of(args.runs, args.threads, args.quick)
     args.results.mkdir(parents=True, exist_ok=True)
-    np.save(args.results / "teams.npy", np.concatenate([each.genomes for each in teams[LEARNED]]))
+    teams: dict[str, Sequence[TeamPolicy]] = {BEST: [BEST]}
+    for name in args.kinds:
+        kind = SHORT[name]
+        learned = teams_of(kind, args.runs, args.threads, args.quick)
+        teams |= {kind: learned, without_plan(kind): [without(team) for team in learned]}
+        np.save(args.results / f"{name}.npy", np.concatenate([team.genomes for team in learned]))
     file = args.results / "numbers.json"
     rows = kept_rows(file)
-    chosen = [case for case in cases() if not args.quick or case[3] == SOME[0]]
+    kinds = [SHORT[name] for name in args.kinds]
+    chosen = [case for case in cases(kinds) if not args.quick or case[3] == SOME[0]]
     for case in tqdm([case for case in chosen if case not in rows], disable=None):
         row = play(case, teams[case[0]], 2 if args.quick else episodes_of(case[3]))
         rows[row.key] = row
