@@ -28,7 +28,7 @@ import matrixworld as mw
 import scripted_pursuit as scripted
 from common import finish_all, markdown, mean, script_parser, slug, write_json
 from liveness import Looked
-from matrixworld._util.files import load_toml
+from matrixworld._util.files import load_toml, replacing
 from matrixworld.coevolution import RaceSettings
 from matrixworld.world.policy import TeamPolicy
 from scripted_pursuit import BEST, FIRST_SEED, SOME, STEPS, Level, Played
@@ -87,7 +87,7 @@ def cases(kinds: Iterable[str]) -> list[tuple[str, str, str, Level]]:
         found += [(kind, SB, evaders, at) for evaders in EVADERS[1:] for at in SOME]
         no_plan = without_plan(kind)
         found += [(no_plan, setting, "random", at) for setting in (AUTHORS, SB) for at in small]
-    return sorted(found, key=lambda case: case[3].pursuers)
+    return sorted(found, key=lambda case: case[3])
 
 
 def play(case: tuple[str, str, str, Level], teams: Sequence[TeamPolicy], episodes: int) -> Row:
@@ -296,7 +296,8 @@ def main() -> None:
     for case in tqdm([case for case in chosen if case not in rows], disable=None):
         row = play(case, teams[case[0]], 2 if args.quick else episodes_of(case[3]))
         rows[row.key] = row
-        file.write_text(json.dumps([each._asdict() for each in rows.values()]), encoding="utf-8")
+        with replacing(file) as whole:
+            whole.write(json.dumps([each._asdict() for each in rows.values()]).encode())
     write_json(args.results, [row._asdict() for row in rows.values()], table(rows.values()))
 
 
