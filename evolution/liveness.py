@@ -162,6 +162,22 @@ def table(rows: Sequence[Mapping[str, Any]]) -> str:
     ])  # fmt: skip
 
 
+def total(
+    rows: Sequence[Mapping[str, Any]], measure: str, script: str, *, still: bool
+) -> tuple[int, int]:
+    """Return in how many episodes pursuers freeze, or are in a livelock, and of how many.
+
+    On all grounds, against evaders that stand still or against the others.
+    """
+    found = [
+        episode
+        for row in rows
+        if row["script"] == script and (row["evaders"] == "still") == still
+        for episode in row[measure]
+    ]
+    return int(sum(found)), len(found)
+
+
 def main() -> None:
     """Play all; print and write the tables."""
     parser = script_parser(__doc__, quick="two episodes of each")

@@ -244,6 +244,18 @@ def cell(row: Row | None) -> str:
     return f"{np.mean(row.captured):.4g} / {mean(row.steps, 0, bounds=(0.0, float(STEPS)))}"
 
 
+def gaps(kept: Mapping[str, Any], kind: str) -> list[float]:
+    """Return by how much more of the evaders a kind captures than FSC2, at each level.
+
+    `kept` is what `plain_rows` returns. Four digits, as published.
+    """
+    captured = {Level(*row["level"]): float(np.mean(row["captured"])) for row in kept[kind]}
+    return [
+        round(captured[level], 4) - round(methods["FSC2"][0], 4)
+        for level, methods in published().items()
+    ]
+
+
 def faults_of(rows: Mapping[Level, Row]) -> int:
     """Return the agent-steps of pursuers at fault in all rows."""
     return sum(row.faults for row in rows.values())

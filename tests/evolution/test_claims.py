@@ -34,6 +34,11 @@ def test_a_text_says_what_its_tables_say(path):
     assert claims.written(text) == text
 
 
+@pytest.mark.parametrize("path", TEXTS)
+def test_a_measured_number_has_a_claim(path):
+    assert [each for passage in claims.passages(path) for each in claims.unclaimed(passage)] == []
+
+
 def test_each_claim_is_said_somewhere():
     told = "".join(path.read_text(encoding="utf-8") for path in claims.texts())
     marks = (*claims.MARK.finditer(told), *claims.TABLE.finditer(told))
