@@ -95,7 +95,8 @@ SCHEDULES: dict[str, dict[str, Any]] = {
     PSRO: {"schedule": "psro"},
 }
 SCRIPT, MIXTURE, LAST, HALL, YOKED = "script", "mixture", "last", "hall", "yoked"
-CONTROLS = (SCRIPT, MIXTURE, LAST, HALL, YOKED)
+FIXED = (SCRIPT, MIXTURE, LAST, HALL)
+CONTROLS = (*FIXED, YOKED)
 
 WORLDS = ("courtyard", "thicket", "park")
 PAPER = {
@@ -488,11 +489,11 @@ def table(numbers: Numbers) -> str:
 def counted(text: str, word: str, *verdicts: str) -> tuple[int, int]:
     """Return how many differences of the table in `WORLDS` have one of some verdicts, of how many.
 
-    Of the rows whose first cell begins, or ends, with `word`.
+    Of the rows whose first cell is `word`, or begins or ends with it.
     """
     lines = text.split("| S, ")[0].splitlines()
     rows = [[each.strip() for each in line.strip("|").split("|")] for line in lines]
-    of_word = [row[1:] for row in rows if word in (row[0].split(", ")[0], row[0].split(", ")[-1])]
+    of_word = [row[1:] for row in rows if f", {word}, " in f", {row[0]}, "]
     found = [each.split("] ")[-1] for row in of_word for each in row if ";" in each]
     return sum(each in verdicts for each in found), len(found)
 

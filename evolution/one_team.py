@@ -262,6 +262,20 @@ def faults(rows: Iterable[Row]) -> list[list[str]]:
     return [[name, *(f"{count:,}" for count in counts)] for name, counts in found.items()]
 
 
+def without_fault(kept: Iterable[Mapping[str, Any]], pursuers: str) -> int:
+    """Return the agent-steps of pursuers in rows as a file keeps them.
+
+    Raises
+    ------
+    ValueError
+        if one of them was at fault.
+    """
+    rows = [row for row in kept if row["pursuers"] == pursuers]
+    if at_fault := sum(row["faults"] for row in rows):
+        raise ValueError(f"expected no fault of {pursuers}, got {at_fault}")
+    return sum(row["level"][1] * sum(row["steps"]) for row in rows)
+
+
 # Files:
 
 
