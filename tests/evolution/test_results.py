@@ -33,6 +33,7 @@ import paper_claims
 import paper_surrounding
 import perfect_learners
 import policies
+import published_numbers
 import race_budgets
 import rating_inputs
 import readable_price
@@ -65,6 +66,7 @@ TABLES = {
     **{f"{script.__name__}/table.md": of(script.table) for script in OF_A_TABLE},
     **{f"paper/{script.__name__}/table.md": of(script.tables) for script in OF_SEVERAL},
     "paper/actor_critic_baselines/table.md": of(baselines.table),
+    "paper/published_numbers/table.md": of(published_numbers.table),
     "balance/table.md": lambda at: balance.table(json.loads(read(at / "numbers.json"))),
     "coverage/table.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
     "held_out/table.md": lambda at: evolve_held_out.table(json.loads(read(at / "numbers.json"))),
