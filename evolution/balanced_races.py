@@ -70,7 +70,7 @@ def judged(payoffs: FloatArray) -> tuple[dict[str, str], NDArray[np.int64]]:
     """
     together = analysis.judge(payoffs, per_episode=True)
     single = [analysis.judge(each, per_episode=True) for each in payoffs]
-    found = {each: ", ".join(together.present(each)) or "cannot tell" for each in WINDOWS}
+    found = {each: ", ".join(together.present(each)) or "nothing" for each in WINDOWS}
     counts = [
         [sum(name in each.present(window) for each in single) for name in SHOWN]
         for window in WINDOWS

@@ -76,18 +76,20 @@ NUMBER = r"[-+]?(?:\d[\d,]*(?:\.\d+)?|\.\d+)"
 MEASURED = re.compile(
     r"(?<![\w.,/-])[-+]?(?:\d[\d,]*)?\.\d+(?!\w|\.\d)"  # a decimal fraction
     r"|(?<![\w.])[-+]?[\d.]+ ?%"
-    r"|(?<![\w.])\d+ (?:of|in) (?:the )?\d+\b"
+    r"|(?<![\w.])\d+\s(?:of|in)\s(?:the\s|all\s)?\d+\b"
 )
 """Numbers that look as if a run had measured them."""
 FREE = re.compile(
     r"```.*?```|`[^`\n]*`|\]\([^)]*\)|<[!/a-z][^>]*>|https?://\S+"  # code, links, comments
     r"|\b(?:arXiv|doi)[: ]\S+|\b(?:Python|version|notebook|exercise|section) \d+\.\w+"
-    r"|\b9[59] ?%",
+    r"|\b95 ?%(?! of)",
     re.DOTALL | re.IGNORECASE,
 )
 """Passages that hold no measured numbers."""
 MARK = re.compile(r"<!--(?:(?P<name>\w+\.\w+)|(?P<free>set|cited: [^>]+))-->")
-TABLE = re.compile(r"^<!--table: (?P<name>\w+\.\w+)-->\n(?P<table>(?:\|.*\n)*)", re.MULTILINE)
+TABLE = re.compile(
+    r"^<!--table: (?P<name>\w+\.\w+)-->\n(?P<table>(?:\|.*(?:\n|\Z))*)", re.MULTILINE
+)
 SENTENCE = re.compile(r"[.:;]\s|\|\s|\n\s*\n|\n\s*[-*] ")
 """Ends of a sentence, a cell, a paragraph or an item."""
 
@@ -226,6 +228,13 @@ def claims() -> dict[str, Claim]:
     return found
 
 
+def claim_of(name: str) -> Claim:
+    """Return the claim of a name; ValueError if there is none."""
+    if name not in claims():
+        raise ValueError(f"expected the name of a claim, got {name}")
+    return claims()[name]
+
+
 def texts() -> list[Path]:
     """Return the texts whose measured numbers are claims."""
     return sorted(path for pattern in TEXTS for path in ROOT.glob(pattern))
@@ -242,9 +251,7 @@ def said(text: str) -> Iterator[tuple[re.Match[str], Claim, re.Match[str]]]:
     for mark in MARK.finditer(text):
         if mark["name"] is None:
             continue
-        if mark["name"] not in claims():
-            raise ValueError(f"expected the name of a claim, got {mark['name']}")
-        claim = claims()[mark["name"]]
+        claim = claim_of(mark["name"])
         digits = claim.pattern.search(text, max(0, mark.start() - 200), mark.start())
         if digits is None:
             before = text[max(0, mark.start() - 40) : mark.start()]
@@ -261,7 +268,7 @@ def written(text: str) -> str:
         end = mark.start()
     text = "".join([*parts, text[end:]])
     return TABLE.sub(
-        lambda found: found[0].removesuffix(found["table"]) + claims()[found["name"]].text.strip()
+        lambda found: found[0].removesuffix(found["table"]) + claim_of(found["name"]).text.strip()
         + "\n",
         text,
     )  # fmt: skip
@@ -293,6 +300,8 @@ def passages(path: Path) -> list[str]:
     """Return what people read: pages, cells and pictures of notebooks, texts of TOML files."""
     text = path.read_text(encoding="utf-8")
     if path.suffix == ".ipynb":
+        if "<!--table: " in text:  # its lines are strings of JSON
+            raise ValueError(f"expected no table that is a claim in a notebook, got one in {path}")
         cells = json.loads(text)["cells"]
         pictures = [cell["metadata"].get("alt", "") for cell in cells]
         read = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]

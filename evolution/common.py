@@ -242,10 +242,8 @@ def by_seed(runs: Runs, measure: Measure) -> dict[str, Any]:
 
 def payoffs_of(kind: str, runs: list[SavedRun]) -> dict[str, Any]:
     """Return the payoffs of the races of a kind, to be judged by the rules of the day: `rates`."""
-    scores, evaders = (
-        np.stack([run.payoff().scores for run in runs]),
-        runs[0].settings.game.world.n_evaders,
-    )
+    scores = np.stack([run.payoff().scores for run in runs])
+    evaders = runs[0].pursuit.world.n_evaders
     captured = np.rint(scores * evaders).astype(np.uint8)
     return {f"captured in {kind}": captured, f"evaders of {kind}": evaders}
 

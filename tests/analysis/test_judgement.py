@@ -212,7 +212,7 @@ def test_a_sentence_is_about_the_whole_race_and_a_half_that_differs():
     only = ("evaders",)
     said = {
         "Both teams improved.": when(arms="wfl", rise="w"),
-        "Until generation 14, both teams improved. From generation 15 on, neither team ended "
+        "In generations 0 to 14, both teams improved. From generation 15 on, neither team ended "
         "stronger or weaker, but both teams lost old skills ().": when(
             arms="wf", stagnation="l", forgetting="l"
         ),
@@ -344,7 +344,7 @@ def test_a_sentence_tells_what_is_present_and_nothing_else(found):
         present.discard("intransitivity")
     told = said.replace("ended stronger or weaker", "stronger or weaker")
     assert {name for name, words in TOLD.items() if words in told} == present
-    if "until generation 14, both teams improved" in said:
+    if "in generations 0 to 14, both teams improved" in said:
         assert found[FIRST]["arms race"][0] == PRESENT
         assert found[LAST]["arms race"][0] != PRESENT
     assert ("no clear progress" in said) <= (not present & {"arms race", "one-sided progress"})

@@ -113,8 +113,9 @@ def told_of(said, did):
     found = []
     for clause in re.split(r"\. ?", said.lower()):
         part = BOTH_HALVES if "in both halves" in clause else WHOLE
-        if clause.startswith(("until ", "from ")) or re.search(r"runs, (until|from) ", clause):
-            part = HALVES["until" not in clause]
+        half = re.search(r"(?:^|runs, )(until|from|in generations 0 to) ", clause)
+        if half:
+            part = HALVES[half[1] == "from"]
         who = None
         # Who did what first is the subject of what follows.
         for subject, verb in re.findall(rf"(?:{SUBJECT})?(improved|ended stronger(?! or))", clause):
@@ -193,11 +194,24 @@ def test_a_jump_is_named_beside_a_steady_rise():
     rng = np.random.default_rng(0)
     jump = np.where(T > 0.5, 2.0, 0.0)
     judgement = of_scores(drawn(race(jump, 2.0 * T), 60, rng)[None])
-    assert "Both" not in sentence(judgement)
-    assert explained(judgement)["rise", WHOLE].startswith(
-        "present, because the evaders ended stronger: by more than 0.05 in this race; "
-        "the pursuers, too, but mostly in a jump or with a setback"
+    assert sentence(judgement).startswith(
+        "The evaders ended stronger (the pursuers, too, but mostly in a jump or with a setback)."
     )
+    assert explained(judgement)["rise", WHOLE].startswith(
+        "present, because the evaders ended stronger (the pursuers, too, but mostly in a jump or "
+        "with a setback): by more than 0.05 in this race"
+    )
+
+
+@pytest.mark.parametrize("runs", [1, 5])
+def test_a_last_generation_that_fails_is_told(runs):
+    rng = np.random.default_rng(1)
+    weak = np.r_[3.0 * T[:-1], 0.0]
+    scores = np.stack([drawn(race(weak, 3.0 * T), 60, rng) for _ in range(runs)])
+    said = sentence(of_scores(scores))
+    where = "The" if runs == 1 else "In 5 of 5 runs, the"
+    assert f"{where} last generation of the pursuers is far weaker than those before." in said
+    assert "last generation of the evaders" not in said
 
 
 def test_intervals_stay_inside_the_bounds_of_their_measures():

@@ -290,6 +290,14 @@ def test_its_settings_are_those_of_asking_afresh(team, start):
     assert asked("--config", again / "config.json", *change) == first
 
 
+def test_its_opponent_meets_the_team_and_not_those_that_the_team_met(undrawn):
+    met = ("--set", 'schedule.training_opponents=["chaser", "hunter"]')
+    told = evolved("--out", "first", *against("evader", *met, *SMALL)).stdout
+    assert "against chaser and hunter" in told
+    [typed] = re.findall(r"Its opponent learns:\n  matrixworld evolve (.+)", told)
+    assert asked(*shlex.split(typed)).schedule.training_opponents == ()
+
+
 def test_its_opponent_starts_untrained_unless_it_is_asked(undrawn):
     """A genome to start from is one of the team that learned."""
     create(asked(*against("pursuer")), "begin")

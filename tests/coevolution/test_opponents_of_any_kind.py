@@ -6,7 +6,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import RaceSettings, create, finish
-from matrixworld.coevolution.evaluation.scores import opponents_in
+from matrixworld.coevolution.evaluation.scores import best_scripts, met_in_training, opponents_in
 from matrixworld.explorer.teams import plain_game, plain_team
 from matrixworld.play.player import PythonFile
 from tiny_race import Listening, check_resumes, played, results, tiny_single
@@ -131,6 +131,10 @@ def test_a_team_learns_against_scripts_in_turn_and_is_evaluated_against_the_oppo
     assert not {*SCRIPTS} & {*told}
     assert "fleer" in told
     assert "not random: the run trained against it" in left_out
+    # A script that is best beside the run meets the same opponents.
+    every = best_scripts(run.settings.game.world, episodes=2)["pursuer"]
+    same = best_scripts(run.settings.game.world, met_in_training(run), episodes=2)["pursuer"]
+    assert every.score != same.score
 
 
 def test_a_single_script_of_training_is_the_opponent(tmp_path):

@@ -71,6 +71,11 @@ Rest.
     assert claims.unclaimed(told) == []
 
 
+def test_a_table_may_end_a_file(kept):
+    told = "<!--table: here.table-->\n| a |\n|---|\n| 1.5 |\n"
+    assert claims.written(told.strip()) == claims.written(told) == told
+
+
 def test_a_line_break_within_digits_stays(kept):
     text = "so +0.500 [0.25,\n1,234]<!--here.cell--> it is"
     assert claims.written(text) == text
@@ -80,6 +85,7 @@ def test_a_line_break_within_digits_stays(kept):
     "text",
     [
         "a rate of 0.25", "a rate of .25", "by +0.250.", "12 % of them", "12% of them", "in 3 of 5",
+        "in 3 of\n5", "99 % of them", "95 % of them",
         "| 0.5 |", "[0.25, 0.5]", "p = 0.016", "p < 0.001 (<br>)", "1,234.5 steps",
     ],
 )  # fmt: skip
@@ -108,6 +114,7 @@ def test_other_numbers_need_no_claim(text):
     ("text", "problem"),
     [
         ("0.5<!--here.gone-->", "expected the name of a claim, got here.gone"),
+        ("<!--table: here.gone-->\n| 1 |", "expected the name of a claim, got here.gone"),
         ("0.5 or so<!--here.mean-->", "expected '{:.2f}' before here.mean, got '0.5 or so'"),
     ],
 )

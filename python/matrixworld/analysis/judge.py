@@ -25,6 +25,7 @@ from matrixworld.analysis.judgement import (
 from matrixworld.analysis.measures import (
     MEASURES,
     ends_of_extras,
+    failed_at_last,
     leads_of,
     learned_in_all,
     learned_to_beat,
@@ -105,6 +106,7 @@ def judge(
         refused_of(payoffs),
         ends_of_extras(payoffs),
         leads_of(payoffs, level) if is_long else {},
+        failed_at_last(payoffs) if is_long else {},
     )
 
 

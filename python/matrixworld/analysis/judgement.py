@@ -49,7 +49,8 @@ class Judgement(Readable):
     meaning in such a game are `refused`, each for a reason. `extras` are means of other numbers of
     a game, in the first and in the last third of the generations, among contemporaries. `leads` say
     how much better late generations of a team are than its generation 0, and by which generation
-    that was learned: `measures.Lead`.
+    that was learned: `measures.Lead`. In so many runs the last generation of a team `failed`: it is
+    far weaker than those before, and gains leave it out.
     """
 
     runs: int
@@ -62,6 +63,7 @@ class Judgement(Readable):
     refused: Mapping[str, Reason] = field(default_factory=dict)
     extras: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     leads: Mapping[str, Lead] = field(default_factory=dict)
+    failed: Mapping[str, int] = field(default_factory=dict)
 
     def _parts(self) -> Parts:
         return [sentence(self), judgement_cells(self)]
@@ -112,7 +114,7 @@ WORDS: Mapping[str, Words] = {
     "disengagement": Words("{teams}", "won nearly all matches"),
     "arms race": Words("{teams}", "improved", "rise"),
     "one-sided progress": Words("only {teams}", "improved", "rise"),
-    "rise": Words("{teams}", "ended stronger"),
+    "rise": Words("{teams}", "ended stronger{too}"),
     "intransitivity": Words("no order of strength", "explains who beats whom"),
     "cycling": Words("{teams}", "went back to old strategies", "intransitivity"),
     "forgetting": Words("{teams}", "lost old skills ({sizes})", "intransitivity"),
@@ -179,6 +181,8 @@ def sentence(judgement: Judgement) -> str:
         clauses[0] = f"{_no_progress(judgement)}: {clauses[0]}"
     else:
         clauses = [_no_progress(judgement) + _are_better(judgement)]
+    if told - {"stagnation"}:
+        clauses += _failures(judgement)
     return " ".join(f"{clause[0].upper()}{clause[1:]}." for clause in clauses)
 
 
@@ -249,6 +253,7 @@ def _happened(judgement: Judgement, window: str, name: str) -> Event:
         "teams": _named(finding.teams, judgement.teams),
         "sizes": _sizes(finding, name),
         "but": _learned_to_beat(finding, judgement),
+        "too": _in_a_jump(finding, judgement),
         "joint": _joint_size(finding),
     }
     if name == "stagnation" and judgement.one_population:
@@ -302,6 +307,14 @@ def _learned_to_beat(finding: Finding, judgement: Judgement) -> str:
             whom = f"{len(opponents)} generations of {others}"
         clauses.append(f"the {names[team]} learned to beat {whom}")
     return f", but {' and '.join(clauses)}" if clauses else ""
+
+
+def _in_a_jump(finding: Finding, judgement: Judgement) -> str:
+    """Return who ended stronger, too, but not by a sustained change; or ""."""
+    if finding.reason.why is not Why.STRONGER_BUT:
+        return ""
+    who = _named(finding.reason.teams, judgement.teams)
+    return f" ({who}, too, but mostly in a jump or with a setback)"
 
 
 def _clause(events: Mapping[str, Event]) -> str:
@@ -360,10 +373,22 @@ def _beginning(judgement: Judgement, window: str) -> str:
     pursuers, evaders = judgement.shape
     is_first = window == HALVES[0]
     # The last half begins with the middle generation; teams of different length share no number.
-    middle = "the middle"
+    middle, last = "the middle", pursuers // 2 - 1
     if pursuers == evaders:
-        middle = f"generation {pursuers // 2 - is_first}"
-    return f"until {middle}, " if is_first else f"from {middle} on, "
+        middle = f"generation {last + 1}"
+    if not is_first:
+        return f"from {middle} on, "
+    return "until the middle, " if middle == "the middle" else f"in generations 0 to {last}, "
+
+
+def _failures(judgement: Judgement) -> list[str]:
+    """Return of which teams the last generation failed, in how many runs."""
+    names = names_of(judgement.teams)
+    return [
+        ("" if judgement.runs == 1 else f"in {count} of {judgement.runs} runs, ")
+        + f"the last generation of the {names[team]} is far weaker than those before"
+        for team, count in judgement.failed.items()
+    ]
 
 
 def _of_runs(judgement: Judgement) -> str:

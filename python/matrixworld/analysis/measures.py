@@ -521,6 +521,20 @@ def _without_outliers(payoffs: Payoffs, window: Window, team: str) -> tuple[Rate
     return np.stack([strength.without_outliers(*run) for run in runs]), noise
 
 
+def failed_at_last(payoffs: Payoffs) -> dict[str, int]:
+    """Return of each team in how many runs its last generation is far weaker than those before.
+
+    Gains leave such a generation out, as `strength.outlying` says.
+    """
+    whole = payoffs.windows["whole"]
+    found = {}
+    for team in ["pursuers"] if payoffs.one_population else ["pursuers", "evaders"]:
+        courses, noise = _courses(payoffs, whole, team)
+        runs = zip(courses, noise, strict=True)
+        found[team] = sum(strength.fails_at_last(*run) for run in runs)
+    return {team: count for team, count in found.items() if count}
+
+
 def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     change = _deciding(payoffs, window, level, of_run=_change_of_run, team=team)
     if change.low is None or change.low <= 0.0 <= (change.high or 0.0):

@@ -98,9 +98,7 @@ class Why(Enum):
 
     # Rise:
     STRONGER = "by more than {number} in this race"
-    STRONGER_BUT = (
-        "by more than {number} in this race; {teams}, too, but mostly in a jump or with a setback"
-    )
+    STRONGER_BUT = "by more than {number} in this race, without a setback"
     STRONGER_IN_A_JUMP = (
         "{teams} ended more than {number} stronger, but mostly in a jump or with a setback"
     )

@@ -38,36 +38,48 @@ _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a widt
 
 
 def without_outliers(scores: Rates, noise: Rates) -> Rates:
-    """Return scores (k, m) of a team; outlying generations lie on lines between the others.
+    """Return scores (k, m) of a team; outlying generations lie on lines between the others."""
+    is_outlying = outlying(scores.mean(axis=1), noise)
+    if not is_outlying.any():
+        return scores
+    places, kept = np.arange(len(scores)), np.flatnonzero(~is_outlying)
+    return np.stack([np.interp(places, kept, column[kept]) for column in scores.T], axis=1)
+
+
+def outlying(course: Rates, noise: Rates) -> NDArray[np.bool_]:
+    """Return which generations of a course (k,) of means are outlying.
 
     A generation is outlying if its mean is far from the median of seven generations, itself in the
     middle: as seen beside those of all generations, of those nearby, and beside the noise (k,), the
     variance of the means. A jump of strength is none, because it stays. The last generation is
-    compared with the three before. If more than a third are outlying, all remain.
+    compared with the three before. If more than a third are outlying, none is.
 
     The filter is Hampel's: Davies and Gather (1993), "The identification of multiple outliers",
     Journal of the American Statistical Association 88.
     """
-    course = scores.mean(axis=1)
     size = len(course)
+    found = np.zeros(size, bool)
     if size < GENERATIONS_TO_JUDGE:
-        return scores
+        return found
     off = np.abs(course - _running_median(course))[1:-1]  # the ends have no neighbours
     first = np.clip(np.arange(size) - 1 - NEARBY // 2, 0, max(0, size - 2 - NEARBY))
     nearby = np.array([np.median(off[start : start + NEARBY]) for start in first])
     deviation = PER_MEDIAN * np.maximum(np.median(off), nearby)
     far = OUTLYING * np.maximum(deviation, np.sqrt(noise.mean()))
     far = np.maximum(far, LEAST_OUTLYING)
-    outlying = np.r_[False, off > far[1:-1], False]
-    usual = course[1:-1][~outlying[1:-1]]
+    found[1:-1] = off > far[1:-1]
+    usual = course[1:-1][~found[1:-1]]
     if len(usual) >= NEIGHBOURS:
         step = float(np.median(np.abs(np.diff(usual))))
         last = abs(course[-1] - np.median(usual[-NEIGHBOURS:]))
-        outlying[-1] = last > max(far[-1], OUTLYING * step)
-    if not 0 < outlying.sum() <= size / 3.0:
-        return scores
-    places, kept = np.arange(size), np.flatnonzero(~outlying)
-    return np.stack([np.interp(places, kept, column[kept]) for column in scores.T], axis=1)
+        found[-1] = last > max(far[-1], OUTLYING * step)
+    return found if found.sum() <= size / 3.0 else np.zeros(size, bool)
+
+
+def fails_at_last(course: Rates, noise: Rates) -> bool:
+    """Return whether the last generation is outlying, and weaker than those before."""
+    before = np.median(course[-1 - NEIGHBOURS : -1])
+    return bool(outlying(course, noise)[-1] and course[-1] < before)
 
 
 def _running_median(course: Rates) -> Rates:

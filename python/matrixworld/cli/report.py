@@ -227,7 +227,7 @@ def _results_of(group: RunGroup) -> list[str]:
     epochs = console.counted(schedule.epochs, "epoch")
     lines = [
         f"{settings.game.known.score_words[0]} {score}",
-        f"{team} after {epochs} against {schedule.opponent}",
+        f"{team} after {epochs} against {' and '.join(schedule.met)}",
     ]
     if "length" in means:
         lines.append(f"an episode takes {means['length'].value:.0f} steps")
@@ -246,6 +246,7 @@ def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
         team = f"--set schedule.team={other(schedule.team)}"
         met = f"--set schedule.opponent={shlex.quote(str(path))}"
         options = ["--set schedule.start=null"] if schedule.start else []
+        options += ["--set 'schedule.training_opponents=[]'"] if schedule.training_opponents else []
         config = last.path / "config.json"
         opponent = console.command("evolve --config", config, team, met, *options)
         return [("Watch it:", console.command("replay", path)), ("Its opponent learns:", opponent)]

@@ -19,6 +19,7 @@ from matrixworld.coevolution.evaluation.scores import (
     HeldOutScores,
     best_scripts,
     estimates_of,
+    met_in_training,
     score_runs,
     score_table,
 )
@@ -156,7 +157,8 @@ def _print_best_scripts(
 ) -> None:
     """Print the best script of each team that learned, and add it to values of JSON."""
     group = scored.group
-    every = best_scripts(group.runs[0].pursuit.world, **played)
+    run = group.runs[0]
+    every = best_scripts(run.pursuit.world, met_in_training(run), **played)
     scripts = {team: every[team] for team in scored.scores[0]}
     for team, script in scripts.items():
         told = f"{script.score:.3f} {script.name}, of {script.among} that can play"

@@ -233,13 +233,21 @@ def opponents_in(
 ) -> tuple[dict[str, TeamPolicy], str]:
     """Return what `opponents_of` returns, without an opponent that the run trained against."""
     opponents, left_out = opponents_of(scored_team, world)
+    met = met_in_training(run)
+    for name in (name for name in met if name in opponents):
+        seen = f"not {name}: the run trained against it"
+        left_out = f"{seen}; {left_out}" if left_out else seen
+    return _without(opponents, met), left_out
+
+
+def met_in_training(run: StoredRun) -> tuple[str, ...]:
+    """Return the opponents that one team learned against; none of a race."""
     schedule = run.settings.schedule
-    if isinstance(schedule, Against):
-        met = schedule.training_opponents or (schedule.opponent,)
-        for name in [name for name in met if opponents.pop(name, None) is not None]:
-            seen = f"not {name}: the run trained against it"
-            left_out = f"{seen}; {left_out}" if left_out else seen
-    return opponents, left_out
+    return schedule.met if isinstance(schedule, Against) else ()
+
+
+def _without(opponents: Mapping[str, TeamPolicy], names: tuple[str, ...]) -> dict[str, TeamPolicy]:
+    return {name: opponent for name, opponent in opponents.items() if name not in names}
 
 
 def best_generations(
@@ -287,16 +295,23 @@ class BestScript(NamedTuple):
 
 @cache
 def best_scripts(
-    config: WorldConfig, *, episodes: int, seed: int = SEED, threads: int | None = None
+    config: WorldConfig,
+    without: tuple[str, ...] = (),
+    *,
+    episodes: int,
+    seed: int = SEED,
+    threads: int | None = None,
 ) -> dict[Team, BestScript]:
     """Return the best script of each team in a world, against held-out opponents.
+
+    `without` are names of opponents that are left out, as those that a run trained against.
 
     All scripts that make sense are asked, careful ones, too. The best of several is partly luck: of
     equally good scripts, the score tends to be too high.
     """
     best: dict[Team, BestScript] = {}
     for team in TEAMS:
-        opponents, _ = opponents_of(team, config)
+        opponents = _without(opponents_of(team, config)[0], without)
         means: dict[Script, float] = {}
         for script in scripts_for(team, config):
             rates = play_held_out(

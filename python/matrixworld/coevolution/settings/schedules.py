@@ -329,6 +329,11 @@ class Against(Schedule):
     )
 
     @property
+    def met(self) -> tuple[str, ...]:
+        """Against whom the team learns: the training opponents in turn, or the opponent."""
+        return self.training_opponents or (self.opponent,)
+
+    @property
     def name(self) -> str:
         """What the run is called, such as ``evader-against-random``."""
         path = Path(self.opponent)

@@ -7,7 +7,7 @@ learners their fitness, and archives champions, all by the methods of a `Trainin
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 
 import numpy as np
@@ -62,10 +62,13 @@ def improve(
     count: int,
     epochs: Iterable[int],
     activity: str,
+    scripts: Sequence[str] = (),
 ) -> Genome:
-    """Let a team learn for some epochs against `count` opponents each; return its genome."""
+    """Let a team learn for some epochs against `count` opponents each; return its genome.
+
+    It meets the opponents of its training, or if there are any `scripts`, these in turn.
+    """
     rivals = training.opponents(team)
-    scripts = getattr(training.settings.schedule, "training_opponents", ())
     n = len(training.learners[team].seed_groups)
 
     def table(values: FloatArray) -> FloatArray:
@@ -331,9 +334,9 @@ def learn_against(training: Training, stage: int) -> None:
     assert isinstance(schedule, Against)
     first = stage * schedule.archive_every
     epochs = range(first, first + schedule.epochs_in(stage))
-    met = " and ".join(schedule.training_opponents) or schedule.opponent
-    activity = f"{training.name_of(schedule.team)} against {met}"
-    genome = improve(training, schedule.team, 1 + stage, 1, epochs, activity)
+    activity = f"{training.name_of(schedule.team)} against {' and '.join(schedule.met)}"
+    scripts = schedule.training_opponents
+    genome = improve(training, schedule.team, 1 + stage, 1, epochs, activity, scripts)
     training.archive_genome(schedule.team, genome)
 
 
