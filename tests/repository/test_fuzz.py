@@ -75,7 +75,7 @@ PLANTED = {
     "kills": what_a_killed_writer_left_stays,
     "clocks": a_clock_decides,
 }
-SEEDS = {"worlds": 0, "commands": 1, "files": 0, "kills": 1, "clocks": 0}
+SEEDS = {"worlds": 0, "commands": 31, "files": 0, "kills": 1, "clocks": 0}
 """Seeds with which few steps find each bug."""
 
 
