@@ -252,7 +252,8 @@ def test_a_race_evolves_is_changed_and_plays_its_matches(browser, page):
     press(browser, "Draw walls")
     told = "document.querySelector('.chase:last-child > [role=status]').textContent"
     box = "document.querySelector('.chase:last-child canvas').getBoundingClientRect()"
-    browser.wait(f"window.seen === (window.seen = JSON.stringify({box}))")  # it has come to rest
+    same = f"window.seen === (window.seen = JSON.stringify({box}))"
+    browser.wait(f"(window.still = {same} ? window.still + 1 : 0) >= 10")  # it has come to rest
     left, top, width = browser.js(f"(box => [box.left, box.top, box.width])({box})")
     cells = [(left + width * (column + 0.5) / 12, top + width * 2.5 / 12) for column in (3, 4, 5)]
     browser.drag(*cells)
