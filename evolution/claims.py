@@ -6,16 +6,16 @@
 
 A text names the claim after its digits, in a comment that no reader of the page sees:
 
-    captures 0.580 [0.555, 0.604]<!--one_team.crowd--> of the evaders
+    In `SB` the team captures 0.58<!--one_team.crowd--> of the largest crowd.
 
 The claim `crowd` stands in ``results/one_team/claims.toml``:
 
-    setting = "SB, 40 x 40 cells, evaders that move at random, 20 episodes of five teams"
     unit = "share of evaders captured in the last step"
 
     [crowd]
-    says = "{:.3f} [{:.3f}, {:.3f}]"
-    value = "cell('1024 v 256', 'learned, SB')"
+    says = "{:.2f}"
+    value = "cell('40 x 40, 1024 v 256', 'learned; SB', under='side by side')[0]"
+    setting = "SB, 1024 v 256 on 40 x 40 cells, evaders at random, 20 episodes of five teams"
 
 `says` is a format of `str.format`, and `value` a Python expression for its numbers. It knows
 `numbers`, what ``numbers.npz`` or ``numbers.json`` beside it holds; `load(name)`, another file
@@ -214,9 +214,10 @@ def claims() -> dict[str, Claim]:
     """
     found = {}
     for folder, path in FOLDERS.items():
-        file, of_folder = path / "claims.toml", Folder(path)
+        file = path / "claims.toml"
         if not file.exists():
             continue
+        of_folder = Folder(path)
         read = load_toml(file)
         shared = {name: each for name, each in read.items() if isinstance(each, str)}
         for name, each in read.items():
@@ -261,17 +262,18 @@ def said(text: str) -> Iterator[tuple[re.Match[str], Claim, re.Match[str]]]:
 
 def written(text: str) -> str:
     """Return a text with the digits and tables of its claims."""
-    parts, end = [], 0
+    parts = []
+    end = 0
     for mark, claim, digits in said(text):
         same = re.sub(r"\s+", " ", digits[0]) == claim.text
         parts += [text[end : digits.start()], digits[0] if same else claim.text]
         end = mark.start()
-    text = "".join([*parts, text[end:]])
-    return TABLE.sub(
-        lambda found: found[0].removesuffix(found["table"]) + claim_of(found["name"]).text.strip()
-        + "\n",
-        text,
-    )  # fmt: skip
+
+    def with_table(found: re.Match[str]) -> str:
+        head = found[0].removesuffix(found["table"])
+        return f"{head}{claim_of(found['name']).text.strip()}\n"
+
+    return TABLE.sub(with_table, "".join([*parts, text[end:]]))
 
 
 def unclaimed(text: str) -> list[str]:

@@ -166,8 +166,9 @@ def table(numbers: dict[str, list[Row]]) -> str:
         cells: dict[str, dict[str, str]] = {}
         for row in rows:
             if row["team"] == team:
-                random, mean = row["rates"]["random"], np.mean([*row["rates"].values()])
-                cells.setdefault(row["player"], {})[row["variant"]] = f"{random:.2f}, {mean:.2f}"
+                mean = np.mean([*row["rates"].values()])
+                both = f"{row['rates']['random']:.2f}, {mean:.2f}"
+                cells.setdefault(row["player"], {})[row["variant"]] = both
         # Variants differ in their scripts; the evolved ones come last.
         names = sorted(cells, key=lambda name: name.startswith("evolved"))
         lines = [[name, *(cells[name].get(each, "") for each in variants)] for name in names]
